@@ -16,7 +16,7 @@ std::string budgetStudy() {
 name = "budget"
 title = "Columns"
 source = "a test"
-
+frames = 0
 [surface]
 shape = "sphere"
 curvature = 0.02

@@ -17,8 +17,9 @@ using ::testing::HasSubstr;
 class CachedRuns : public EndToEnd {
  protected:
   void SetUp() override {
-    write("small.toml", replaced(smallStudy(), "name = \"evening\"\n", "") +
-                            "\n[[method]]\nname = \"onoue-2004\"\n");
+    const std::string timed = replaced(smallStudy(), "frames = 0", "frames = 5");
+    write("small.toml",
+          replaced(timed, "name = \"evening\"\n", "") + "\n[[method]]\nname = \"onoue-2004\"\n");
   }
   [[nodiscard]] Outcome run(const std::string& out, std::vector<std::string> options = {}) const {
     options.insert(options.begin(), {"run", "small.toml", "--out", out});

@@ -103,6 +103,7 @@ std::string studyOf(const Scene& scene) {
 name = "{}"
 title = "Columns, told in other numbers"
 source = "a test"
+frames = 0
 [surface]
 {}
 [relief]

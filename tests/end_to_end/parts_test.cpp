@@ -37,7 +37,7 @@ std::string platesStudy(const std::string& height = "0.05") {
 name = "plates"
 title = "A plate above another"
 source = "a test"
-
+frames = 0
 [surface]
 mesh = "plates.obj"
 

@@ -13,7 +13,7 @@ constexpr const char* redrawn = R"(
 name = "redrawn"
 title = "Bumps drawn anew"
 source = "a test"
-
+frames = 0
 [surface]
 shape = "sphere"
 curvature = 0.015

@@ -11,7 +11,8 @@ using ::testing::Not;
 class RunFolder : public EndToEnd {};
 
 TEST_F(RunFolder, SummaryHasTheKeysThatOthersReadItBy) {
-  runStudy("small", smallStudy() + "\n[[threshold]]\nmethod = \"max-forsyth\"\nmax = 0.9\n");
+  runStudy("small", smallStudy() + "\n[[threshold]]\nmethod = \"max-forsyth\"\nmax = 0.9\n",
+           {"--set", "study.frames=5"});
   const nlohmann::json json = summary("small");
   EXPECT_THAT(json.at("schema").get<std::string>(), HasSubstr("gnomon-summary/"));
   EXPECT_EQ(json.at("status"), "pass");

@@ -8,7 +8,7 @@ namespace gnomon::test {
 inline constexpr const char* thinColumns = "period = 16\nradius = 4\nwall = 1\n";
 
 /// How studies of tests begin, up to `[relief]`: columns of height 4 on a surface, whose map has a
-/// texel a world unit.
+/// texel a world unit. No frame is timed: that takes longer than the rest of a small study.
 /// @param shape    of the surface
 /// @param keys     of the surface beside its size, a line each
 /// @param size     world units and texels, "64, 32"
@@ -17,9 +17,9 @@ inline std::string columnsStudy(const std::string& name, const std::string& shap
                                 const std::string& keys, const std::string& size,
                                 const std::string& columns = "") {
   return "[study]\nname = \"" + name + "\"\ntitle = \"Columns on a " + shape +
-         "\"\nsource = \"a test\"\n\n[surface]\nshape = \"" + shape + "\"\n" + keys + "size = [" +
-         size + "]\n\n[relief]\npattern = \"columns\"\ntexels = [" + size + "]\n" + columns +
-         "height = 4\nheight_space = \"world\"\n";
+         "\"\nsource = \"a test\"\nframes = 0\n[surface]\nshape = \"" + shape + "\"\n" + keys +
+         "size = [" + size + "]\n\n[relief]\npattern = \"columns\"\ntexels = [" + size + "]\n" +
+         columns + "height = 4\nheight_space = \"world\"\n";
 }
 
 /// The same on a coarse plane, as studies are that are read and not run.

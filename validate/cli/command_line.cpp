@@ -119,7 +119,7 @@ void addStudyOptions(CLI::App& command, RunRequest& request) {
 void addQuickOption(CLI::App& command, RunRequest& request) {
   command.add_flag("--quick", request.options.quick,
                    "Preview: a quarter of the width and height of each view, a sixteenth of the "
-                   "micro-triangles");
+                   "micro-triangles, no frame timed");
 }
 
 void addRunOptions(CLI::App& command, RunRequest& request) {

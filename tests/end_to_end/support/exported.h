@@ -15,7 +15,7 @@ inline std::string torusStudy() {
 name = "ring"
 title = "Bumps on a torus"
 source = "a test"
-
+frames = 0
 [surface]
 shape = "torus"
 major = 40

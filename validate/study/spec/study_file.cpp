@@ -228,6 +228,7 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
   if (const auto base = root.optionalTable("base")) readSection(*base, keysOf(study.base));
   if (const auto truth = root.optionalTable("truth")) readTruth(*truth, study);
   if (study.quick) {
+    study.frames = 0;
     if (study.truth.stepTexels) *study.truth.stepTexels = quickStep(*study.truth.stepTexels);
     if (study.truth.uncertainty) *study.truth.uncertainty *= 4;  // it falls as the step does
     study.truth.leastTriangles /= 16;

@@ -33,7 +33,7 @@ struct StudyHeader {
   std::string suite = {};  ///< the population of scenes that it was drawn from; empty for none
   bool ranked = true;      ///< counts in a ranking over the studies of a run
   bool quick = false;      ///< the quick form, see StudyOptions
-  int frames = 25;         ///< timed of every method, at most; 0: none
+  int frames = 25;         ///< timed of every method, at most; 0: none, as in the quick form
 };
 
 inline StudyKeys keysOf(StudyHeader& header) {
@@ -53,7 +53,8 @@ inline StudyKeys keysOf(StudyHeader& header) {
                {}, {}, nothing),
       studyKey("quick", &header.quick, "whether it always has the form of `--quick`", {}, {},
                nothing),
-      studyKey("frames", &header.frames, "timed of every method, at most; 0: none", {0, 10000}, {},
+      studyKey("frames", &header.frames,
+               "timed of every method, at most; 0: none, as in the quick form", {0, 10000}, {},
                costs)};
 }
 
@@ -86,7 +87,7 @@ struct StudyOptions {
   std::vector<std::string> overrides;  ///< `key.path=value`
   std::vector<std::string> methods;    ///< labels or names to keep; all, if empty
   /// A quarter of each view's side (in an atlas the odd number at or above it) and a sixteenth of
-  /// the micro-mesh: a preview, not a measurement.
+  /// the micro-mesh, and no frame timed: a preview, not a measurement.
   bool quick = false;
   /// `LABEL=NAME` or `LABEL=FILE.glsl`: another shader in a method's place, see replaceMethods.
   std::vector<std::string> replacements = {};
