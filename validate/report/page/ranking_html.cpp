@@ -23,17 +23,18 @@ Html studiesStatus(std::span<const study::StudyMeans> studies) {
               count(study::RunStatus::fail), count(study::RunStatus::notJudged));
 }
 
-Html bestOverStudies(const Ranking& ranking, std::size_t studies) {
+Html bestOverStudies(const Ranking& ranking, std::span<const study::StudyMeans> studies) {
   if (ranking.empty() || !ranking.front().rank) {
     return html("No method was measured in every case of every study, so none is ranked.");
   }
   const study::RankedOverStudies& best = ranking.front();
+  const bool isSoft = std::any_of(studies.begin(), studies.end(),
+                                  [](const study::StudyMeans& study) { return study.isSoft; });
   return html(
-      "Compared with ray tracing the displaced surface in {} studies, <b>{}</b> has the fewest "
-      "wrong "
-      "samples: <b>{}&#8239;%</b> on average, {}&#8239;% in its worst study, {}.",
-      studies, study::labelWithName(best), percentText(best.meanError),
-      percentText(best.worstError), best.worstStudy);
+      "Compared with ray tracing the displaced surface in {} studies, <b>{}</b> has {}: "
+      "<b>{}&#8239;%</b> on average, {}&#8239;% in its worst study, {}.",
+      studies.size(), study::labelWithName(best), leastErrorText(isSoft),
+      percentText(best.meanError), percentText(best.worstError), best.worstStudy);
 }
 
 Html claimsOfStudies(std::span<const study::StudyMeans> studies) {
@@ -55,7 +56,7 @@ Html rankingHtml(std::span<const study::StudyMeans> studies, std::string_view co
   for (const study::RankedOverStudies& method : ranking) labels.push_back(method.label);
   const Html header = html(
       "<h1>Methods over {} studies</h1>\n<p class=\"verdict\">{}</p>\n<p class=\"lead\">{}</p>\n",
-      studies.size(), studiesStatus(studies), bestOverStudies(ranking, studies.size()));
+      studies.size(), studiesStatus(studies), bestOverStudies(ranking, studies));
   return htmlPage(
       "Methods over all studies", header,
       htmlSection(

@@ -39,8 +39,8 @@ Html bestOf(const study::SuiteStatistics& statistics) {
   return html(
       "<b>{}</b> has {}: <b>{}&#8239;%</b> on average{}, {}&#8239;% on the worst twentieth of the "
       "scenes. {}",
-      best.label, statistics.isSoft ? "the smallest error" : "the fewest wrong samples",
-      percentText(best.spread.mean), interval, percentText(best.spread.worstTwentieth),
+      best.label, leastErrorText(statistics.isSoft), percentText(best.spread.mean), interval,
+      percentText(best.spread.worstTwentieth),
       alike.empty() ? html("It is distinguishable from every other ranked method.")
                     : html("It is {}.", indistinguishableText({alike, {}})));
 }

@@ -27,6 +27,10 @@ const char* errorWhole(bool isSoft) {
   return isSoft ? "the light" : "the samples";
 }
 
+const char* leastErrorText(bool isSoft) {
+  return isSoft ? "the smallest error" : "the fewest wrong samples";
+}
+
 std::string errorAxis(bool isSoft) {
   return fmt::format("error rate, percent of {}", errorWhole(isSoft));
 }

@@ -19,6 +19,10 @@ std::string percentText(std::optional<double> share);
 /// What an error is a share of: "the samples"; where a light has a disc "the light".
 const char* errorWhole(bool isSoft);
 
+/// What the best method has: "the fewest wrong samples"; where a light has a disc "the smallest
+/// error".
+const char* leastErrorText(bool isSoft);
+
 /// The title of an axis of error rates: "error rate, percent of the samples".
 std::string errorAxis(bool isSoft);
 
