@@ -64,6 +64,9 @@ study::StudyRecord recordWithBudgets() {
 TEST(BudgetText, SaysHowMuchTheOrderMoves) {
   // ½ (0.5 + 0 + 0.5) of 5 %.
   EXPECT_THAT(orderText(budgetOf("close", "all")), HasSubstr("0.50 % of the samples, 10 % of the"));
+  EXPECT_THAT(orderText(budgetOf("close", "all"), true), HasSubstr("0.50 % of the light, 10 % of"));
+  EXPECT_THAT(budgetNote(budgetOf("close", "all"), true),
+              HasSubstr("Percent of the light of view"));
   study::BudgetRecord none = budgetOf("close", "all");
   none.total = {};
   EXPECT_EQ(orderText(none), "No error to attribute.");

@@ -198,11 +198,13 @@ than = "max-forsyth"
 
 TEST_F(StudyFile, QuickIsAQuarterOfTheSidesAndASixteenthOfTheMesh) {
   const StudySpec full = read(plainStudy);
-  const StudySpec quick = read(plainStudy, {{"truth.step=0.125", "view.0.height=3"}, {}, true});
+  const StudySpec quick =
+      read(plainStudy, {{"truth.step=0.125", "view.0.height=3", "study.frames=25"}, {}, true});
   EXPECT_EQ(std::get<Camera>(quick.views[0].kind).width, 50);
   EXPECT_EQ(std::get<Camera>(quick.views[0].kind).height, 1) << "never none";
   EXPECT_EQ(std::get<AtlasSpec>(quick.views[1].kind).samplesPerSide, 3)
       << "odd, near a quarter of 8";
+  EXPECT_EQ(quick.frames, 0);
   EXPECT_EQ(quick.truth.stepTexels, 0.5);
   EXPECT_EQ(16 * quick.truth.leastTriangles, full.truth.leastTriangles);
   EXPECT_FALSE(full.truth.stepTexels);
