@@ -62,7 +62,7 @@ TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
   EXPECT_EQ(
       verdictText(recordOfThree(), "camera"),
       "“best” is better than “rough, \"old\"” by 9.00 % of the samples (95 % interval 7.20 to "
-      "11.50). “best” and “close” could not be compared: their difference has no 95 % interval.");
+      "11.50). “best” could not be compared with “close”: the difference has no 95 % interval.");
   EXPECT_EQ(intervalText(compare::Interval{-0.001, 0.02}), "−0.10 to 2.00");
   EXPECT_EQ(intervalText(compare::Interval{-0.012, 0.5}), "−1.20 to 50.00");
   EXPECT_EQ(intervalText(compare::Interval{-1e-7, 0}), "0.00 to 0.00");
@@ -76,7 +76,7 @@ TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
                                           study::DifferenceVerdict::notDistinguishable));
   }
   EXPECT_THAT(verdictText(many, "camera"),
-              HasSubstr("“best” is not distinguishable from “a”, “b” and “c”. “best” and"));
+              HasSubstr("“best” is not distinguishable from “a”, “b” and “c”. “best” could not"));
   for (const char* name : {"d, e", "f"}) {
     many.confidence.push_back({name, "camera", "all", 0.011, {}, "", 25, 40});
     many.differences.push_back(difference("best", name, -0.001, compare::Interval{-0.002, 0.001},

@@ -180,6 +180,61 @@ TEST(ResampledMean, OneSceneDecidesNothing) {
   EXPECT_FALSE(mean.interval(0.05));
 }
 
+/// p by its definition, of one set of values at a time.
+double probabilityByDefinition(const std::vector<double>& values, const SceneResamples& resamples) {
+  const auto n = static_cast<double>(values.size());
+  const auto studentOf = [n](const std::vector<double>& of, double around) {
+    double mean = 0;
+    for (const double value : of) mean += value / n;
+    double variance = 0;
+    for (const double value : of) variance += (value - mean) * (value - mean) / (n - 1);
+    return std::abs(mean - around) / std::sqrt(variance / n);
+  };
+  double mean = 0;
+  for (const double value : values) mean += value / n;
+  const double found = studentOf(values, 0);
+  std::vector<std::uint32_t> drawn(values.size());
+  double reached = 0;
+  for (std::size_t b = 0; b < resamples.count(); ++b) {
+    resamples.draw(b, drawn);
+    std::vector<double> resample;
+    for (const std::uint32_t s : drawn) resample.push_back(values[s]);
+    if (studentOf(resample, mean) >= found) ++reached;
+  }
+  return (1 + reached) / (1 + static_cast<double>(resamples.count()));
+}
+
+/// More sets than one pass takes, some of which have a reason against an interval.
+TEST(ResampledMean, OfManySetsIsThatOfEachByItself) {
+  Normals normals(9);
+  const SceneResamples resamples(30, 1999);
+  std::vector<std::vector<double>> sets;
+  for (int i = 0; i < 21; ++i) {
+    sets.push_back(i % 5 == 3 ? std::vector<double>(30, 0.1 * i) : normals.next(30, 0.03 * i));
+  }
+  const std::vector<ResampledMean> means = ResampledMean::ofAll(sets, resamples);
+  ASSERT_EQ(means.size(), sets.size());
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const ResampledMean alone(sets[i], resamples);
+    EXPECT_EQ(means[i].mean(), alone.mean());
+    EXPECT_EQ(means[i].reason(), alone.reason());
+    EXPECT_EQ(means[i].probabilityOfZero(), alone.probabilityOfZero());
+    for (const double error : {0.05, 0.01}) {
+      const auto interval = means[i].interval(error);
+      ASSERT_EQ(interval.has_value(), alone.interval(error).has_value());
+      if (!interval) continue;
+      EXPECT_EQ(interval->low, alone.interval(error)->low);
+      EXPECT_EQ(interval->high, alone.interval(error)->high);
+    }
+    if (i % 5 == 3) {
+      EXPECT_EQ(means[i].reason(), "every scene gives the same");
+    } else {
+      EXPECT_EQ(means[i].probabilityOfZero(), probabilityByDefinition(sets[i], resamples));
+    }
+  }
+  EXPECT_TRUE(ResampledMean::ofAll({}, resamples).empty());
+}
+
 TEST(ResampledMean, HasNoIntervalForAnErrorThatTheResamplesCannotTell) {
   Normals normals(6);
   const ResampledMean mean(normals.next(30, 1), SceneResamples(30, 199));

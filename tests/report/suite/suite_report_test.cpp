@@ -77,6 +77,7 @@ TEST(SuiteHtml, OfSoftLightsSpeaksOfShares) {
   EXPECT_THAT(html, HasSubstr("Percent of the light. <b>Worst"));
   EXPECT_THAT(html, Not(HasSubstr("wrong samples")));
   EXPECT_THAT(html, Not(HasSubstr("ercent of the samples")));
+  EXPECT_THAT(html, HasSubstr("percent of the bin’s light"));
   EXPECT_THAT(markdownTable(suiteRankedTable(found)),
               HasSubstr("Mean \\|ΔV\\| in percent of the light of a scene"));
   EXPECT_EQ(nlohmann::json::parse(suiteJson(found, ""))["statistic"], "mae");

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -18,20 +19,45 @@ namespace {
 /// must not decide.
 constexpr double rounding = 1e-9;
 
+/// How many sets of values a pass over the resamples takes: what the registers of any processor
+/// hold.
+constexpr std::size_t lanes = 8;
+
+/// Of one scene: by how much it deviates from the mean of each set, and the squares.
+struct SceneDeviations {
+  std::array<double, lanes> values = {};
+  std::array<double, lanes> squares = {};
+};
+
 /// t* of one resample.
-/// @param deviations  of the values from their mean
-double deviationOf(std::span<const std::uint32_t> draws, const std::vector<double>& deviations) {
-  double sum = 0;
-  double squares = 0;
-  for (const std::uint32_t s : draws) {
-    sum += deviations[s];
-    squares += deviations[s] * deviations[s];
-  }
-  const auto n = static_cast<double>(draws.size());
+/// @param sum, squares  of the deviations of the n values drawn
+double deviateOf(double sum, double squares, double n) {
   const double variance = (squares - sum * sum / n) / (n - 1);
   // What cancellation leaves of values that are all the same.
   if (!(variance > 1e-12 * squares)) return sum == 0 ? 0 : std::numeric_limits<double>::infinity();
   return std::abs(sum) / std::sqrt(n * variance);
+}
+
+/// The t* of the first so many sets, `deviates[set][resample]`.
+std::vector<std::vector<double>> deviatesOf(const std::vector<SceneDeviations>& scenes,
+                                            std::size_t sets, const SceneResamples& resamples) {
+  std::vector<std::vector<double>> deviates(sets, std::vector<double>(resamples.count()));
+  const auto n = static_cast<double>(scenes.size());
+  std::vector<std::uint32_t> drawn(scenes.size());
+  for (std::size_t b = 0; b < resamples.count(); ++b) {
+    resamples.draw(b, drawn);
+    SceneDeviations sums;
+    for (const std::uint32_t s : drawn) {
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        sums.values[lane] += scenes[s].values[lane];
+        sums.squares[lane] += scenes[s].squares[lane];
+      }
+    }
+    for (std::size_t set = 0; set < sets; ++set) {
+      deviates[set][b] = deviateOf(sums.values[set], sums.squares[set], n);
+    }
+  }
+  return deviates;
 }
 
 }  // namespace
@@ -53,44 +79,71 @@ void SceneResamples::draw(std::size_t resample, std::span<std::uint32_t> scenes)
   }
 }
 
-ResampledMean::ResampledMean(std::span<const double> values, const SceneResamples& resamples)
-    : resamples_(resamples.count()) {
-  if (values.size() != resamples.scenes()) {
-    throw InternalError(
-        fmt::format("{} values found, {} scenes expected", values.size(), resamples.scenes()));
-  }
+ResampledMean::ResampledMean(std::span<const double> values, std::size_t resamples)
+    : resamples_(resamples) {
   const auto n = static_cast<double>(values.size());
   mean_ = std::accumulate(values.begin(), values.end(), 0.0) / n;
   if (values.size() < leastScenes) {
     reason_ = "fewer than 20 scenes";
     return;
   }
-  std::vector<double> deviations;
-  double squares = 0;
-  for (const double value : values) {
-    deviations.push_back(value - mean_);
-    squares += deviations.back() * deviations.back();
-  }
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   if (*least == *most) {
     reason_ = "every scene gives the same";
     return;
   }
+  double squares = 0;
+  for (const double value : values) squares += (value - mean_) * (value - mean_);
   standardError_ = std::sqrt(squares / (n - 1) / n);
-  std::vector<double> all;
-  all.reserve(resamples_);
-  std::vector<std::uint32_t> drawn(values.size());
-  for (std::size_t b = 0; b < resamples_; ++b) {
-    resamples.draw(b, drawn);
-    all.push_back(deviationOf(drawn, deviations));
+}
+
+ResampledMean::ResampledMean(std::span<const double> values, const SceneResamples& resamples)
+    : ResampledMean(ofAll(std::array{std::vector(values.begin(), values.end())}, resamples)[0]) {}
+
+std::vector<ResampledMean> ResampledMean::ofAll(std::span<const std::vector<double>> sets,
+                                                const SceneResamples& resamples) {
+  std::vector<ResampledMean> means;
+  for (const std::vector<double>& values : sets) {
+    if (values.size() != resamples.scenes()) {
+      throw InternalError(
+          fmt::format("{} values found, {} scenes expected", values.size(), resamples.scenes()));
+    }
+    means.push_back(ResampledMean(values, resamples.count()));
   }
+  for (std::size_t first = 0; first < sets.size(); first += lanes) {
+    const std::size_t count = std::min(lanes, sets.size() - first);
+    std::vector<SceneDeviations> scenes(resamples.scenes());
+    bool isAny = false;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const ResampledMean& mean = means[first + lane];
+      if (!mean.reason_.empty()) continue;
+      isAny = true;
+      for (std::size_t s = 0; s < scenes.size(); ++s) {
+        const double deviation = sets[first + lane][s] - mean.mean_;
+        scenes[s].values[lane] = deviation;
+        scenes[s].squares[lane] = deviation * deviation;
+      }
+    }
+    if (!isAny) continue;
+    std::vector<std::vector<double>> deviates = deviatesOf(scenes, count, resamples);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      if (means[first + lane].reason_.empty()) means[first + lane].setDeviates(deviates[lane]);
+    }
+  }
+  return means;
+}
+
+void ResampledMean::setDeviates(std::vector<double>& all) {
   const double found = std::abs(mean_) / standardError_;
   const auto reached = std::count_if(all.begin(), all.end(), [&](double t) { return t >= found; });
   probabilityOfZero_ = (1 + static_cast<double>(reached)) / (1 + static_cast<double>(resamples_));
-  const auto kept = static_cast<std::ptrdiff_t>(largestError * static_cast<double>(resamples_) + 2);
-  largest_.resize(static_cast<std::size_t>(std::min(kept, std::ssize(all))));
-  std::partial_sort_copy(all.begin(), all.end(), largest_.begin(), largest_.end(),
-                         std::greater<>());
+  const auto kept =
+      all.begin() +
+      std::min(static_cast<std::ptrdiff_t>(largestError * static_cast<double>(resamples_) + 2),
+               std::ssize(all));
+  std::nth_element(all.begin(), kept, all.end(), std::greater<>());
+  std::sort(all.begin(), kept, std::greater<>());
+  largest_.assign(all.begin(), kept);
 }
 
 std::optional<Interval> ResampledMean::interval(double error) const {

@@ -51,6 +51,11 @@ class ResampledMean {
   /// @param values  one a scene, as many as the resamples have scenes
   ResampledMean(std::span<const double> values, const SceneResamples& resamples);
 
+  /// The same of several sets of values over the same scenes, one each, to the last bit: a resample
+  /// is drawn once for all of them.
+  static std::vector<ResampledMean> ofAll(std::span<const std::vector<double>> sets,
+                                          const SceneResamples& resamples);
+
   [[nodiscard]] double mean() const { return mean_; }
   /// Why nothing can be said of the mean's error; empty if something can.
   [[nodiscard]] std::string_view reason() const { return reason_; }
@@ -69,6 +74,11 @@ class ResampledMean {
   static constexpr double largestError = 0.05;
 
  private:
+  /// All but what resamples tell.
+  ResampledMean(std::span<const double> values, std::size_t resamples);
+  /// @param all  the t*, one a resample; their order is lost
+  void setDeviates(std::vector<double>& all);
+
   double mean_ = 0;
   double standardError_ = 0;
   double probabilityOfZero_ = 1;

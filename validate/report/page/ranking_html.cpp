@@ -18,9 +18,12 @@ Html studiesStatus(std::span<const study::StudyMeans> studies) {
     return std::count_if(studies.begin(), studies.end(),
                          [&](const study::StudyMeans& study) { return study.status == status; });
   };
-  return html("{} of {} studies {} passed, {} failed, {} not judged",
-              htmlStatus(study::statusOf(studies)), studies.size(), count(study::RunStatus::pass),
-              count(study::RunStatus::fail), count(study::RunStatus::notJudged));
+  const auto passed = count(study::RunStatus::pass);
+  const auto failed = count(study::RunStatus::fail);
+  const auto notJudged = count(study::RunStatus::notJudged);
+  return html("{} {} of {} studies passed{}{}", htmlStatus(study::statusOf(studies)), passed,
+              studies.size(), failed > 0 ? fmt::format(", {} failed", failed) : "",
+              notJudged > 0 ? fmt::format(", {} not judged", notJudged) : "");
 }
 
 Html bestOverStudies(const Ranking& ranking, std::span<const study::StudyMeans> studies) {
@@ -33,7 +36,7 @@ Html bestOverStudies(const Ranking& ranking, std::span<const study::StudyMeans> 
   return html(
       "Compared with ray tracing the displaced surface in {} studies, <b>{}</b> has {}: "
       "<b>{}&#8239;%</b> on average, {}&#8239;% in its worst study, {}.",
-      studies.size(), study::labelWithName(best), leastErrorText(isSoft),
+      studies.size(), study::labelWithName(best.label, best.names), leastErrorText(isSoft),
       percentText(best.meanError), percentText(best.worstError), best.worstStudy);
 }
 
@@ -65,7 +68,7 @@ Html rankingHtml(std::span<const study::StudyMeans> studies, std::string_view co
                "lights and views, then the mean over the studies, each with the same "
                "weight. A case is a view under a light; a method that lacks one has no "
                "rank. <b>Truth ±</b> is the truth’s own uncertainty, ≈ a method that is not "
-               "distinguishable from the best.</p>\n{}",
+               "distinguishable from the best, or could not be compared with it.</p>\n{}",
                errorWholeOver(studies), htmlTable(rankedOverStudiesTable(studies, ranking)))) +
           htmlSection("matrix", "Error by study",
                       html("<p class=\"note\">The stronger the tint, the larger the error.{}</p>\n"

@@ -12,6 +12,7 @@
 #include "report/plots/plot_style.h"
 #include "report/text/interval_text.h"
 #include "report/text/number_text.h"
+#include "study/judge/study_means.h"
 #include "study/record/cases.h"
 #include "study/record/confidence_record.h"
 #include "study/run/scene/sample_axes.h"
@@ -300,8 +301,9 @@ PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::
       gnuplotText(title) +
       " offset 0,0.5\n"
       "set x2label 'share of the samples' font ',10' offset 0,-0.5\n" +
-      (isPhone ? "set ylabel 'wrong, percent' offset 2.2,0\n"
-               : "set ylabel 'wrong, percent of the bin’s samples' offset 1,0\n") +
+      (isPhone
+           ? "set ylabel 'wrong, percent' offset 2.2,0\n"
+           : "set ylabel " + gnuplotText(binErrorAxis(study::isSoft(record))) + " offset 1,0\n") +
       (place == PlotPlace::paper
            ? "set key at screen 0.7, screen 0.96 left top Left reverse samplen 2 spacing 1.1 "
              "maxcols 1\n"

@@ -104,8 +104,8 @@ Html winsSection(const std::vector<DrawnPlot>& plots) {
   return htmlSection(
       "wins", "Who beats whom",
       noted(html("How probable it is, in percent, that the method of the row has a smaller error "
-                 "than that of the column on a new scene. Blue above 50, orange below it; white "
-                 "with ≈ where the two are not distinguishable."),
+                 "than that of the column on a new scene. Blue above 50, orange below it; "
+                 "no colour and ≈ where the two are not distinguishable."),
             plotOf(plots, "suite-wins")));
 }
 

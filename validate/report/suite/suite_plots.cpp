@@ -453,8 +453,8 @@ std::optional<PlotSheet> suiteBinsPlot(const study::SuiteStatistics& statistics,
       errorRange(statistics, methods) + (hasBand ? plotBandBelow(uncertainty) : "") +
       (place == PlotPlace::phone
            ? "set ylabel 'error, percent' offset 2,0 font ',11'\n"
-           : "set label 1 'error rate, percent of the bin’s samples' at screen 0.012, screen 0.52 "
-             "center rotate textcolor rgb ink\n") +
+           : "set label 1 " + gnuplotText(binErrorAxis(statistics.isSoft)) +
+                 " at screen 0.012, screen 0.52 center rotate textcolor rgb ink\n") +
       (place == PlotPlace::paper ? "set key at screen 0.7, screen 0.975 left top Left reverse "
                                    "samplen 2 spacing 1.1 maxcols 1\n"
                                  : "unset key\n") +

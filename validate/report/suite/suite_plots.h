@@ -16,7 +16,7 @@ PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics,
 
 /// The methods with a rank, each against each: the probability that the row's has the smaller error
 /// on a new scene, in percent; blue above 50, orange below it. A pair that is not distinguishable
-/// is white, with a grey figure and ≈.
+/// has no colour, a grey figure and ≈.
 PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics,
                         PlotPlace place = PlotPlace::paper);
 

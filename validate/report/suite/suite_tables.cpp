@@ -1,7 +1,6 @@
 #include "report/suite/suite_tables.h"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -10,6 +9,7 @@
 #include "common/lists.h"
 #include "report/text/names.h"
 #include "report/text/number_text.h"
+#include "study/judge/study_ranking.h"
 #include "study/run/scene/sample_axes.h"
 
 namespace gnomon::report {
@@ -22,11 +22,6 @@ Column column(std::string name, Q quantity, std::string about = "", std::string 
   Column made{std::move(name), std::move(key), quantity, readers};
   made.about = std::move(about);
   return made;
-}
-
-std::string shownLabel(const study::SuiteMethod& method) {
-  const bool plain = method.names.size() == 1 && method.names.front() == method.label;
-  return plain ? method.label : fmt::format("{} ({})", method.label, fmt::join(method.names, ", "));
 }
 
 /// The method of rank 1; nullptr where no method has a rank.
@@ -55,7 +50,7 @@ Row rankedRow(const study::SuiteStatistics& statistics, const study::SuiteMethod
     ranks.text = rankText(method.rank->low, method.rank->high);
     stability.value = method.rank->stability;
   }
-  return {{rank, textCell(shownLabel(method)), valueCell(spread.mean),
+  return {{rank, textCell(study::labelWithName(method.label, method.names)), valueCell(spread.mean),
            intervalCell(method.interval, method.reason), valueCell(spread.median),
            intervalCell(compare::Interval{spread.lowerQuartile, spread.upperQuartile}),
            valueCell(spread.percentile95), valueCell(spread.worstTwentieth),

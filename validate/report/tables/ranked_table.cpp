@@ -118,7 +118,7 @@ std::string overStudiesRemark(const study::RankedOverStudies& method,
 }
 
 Row overStudiesRow(const study::RankedOverStudies& method, const study::RankedOverStudies& best) {
-  return {{rankCell(method.rank), textCell(study::labelWithName(method)),
+  return {{rankCell(method.rank), textCell(study::labelWithName(method.label, method.names)),
            valueCell(method.meanError), valueCell(method.worstError), textCell(method.worstStudy),
            textCell(fmt::format("{} of {}", method.cases, method.allCases)),
            valueCell(method.uncertainty)},
@@ -177,7 +177,7 @@ Table rankedOverStudiesTable(std::span<const study::StudyMeans> studies,
               .caption = fmt::format(
                   "Error rate in percent of {}: in each study the mean over its lights and "
                   "views, then over the studies, each with the same weight. ≈ marks methods "
-                  "that are not distinguishable from the best.",
+                  "that are not distinguishable from the best, or could not be compared with it.",
                   errorWholeOver(studies)),
               .columns = {{"", "rank", Q::rank},
                           {"Method", "method", Q::name},

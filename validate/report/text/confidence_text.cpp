@@ -104,7 +104,7 @@ std::string verdictText(const study::StudyRecord& record, const std::string& vie
     add(fmt::format("{} is not distinguishable from {}.", quotedText(best), listText(like.close)));
   }
   if (!like.withoutInterval.empty()) {
-    add(fmt::format("{} and {} could not be compared: their difference has no 95 % interval.",
+    add(fmt::format("{} could not be compared with {}: the difference has no 95 % interval.",
                     quotedText(best), listText(like.withoutInterval)));
   }
   return text;

@@ -35,6 +35,10 @@ std::string errorAxis(bool isSoft) {
   return fmt::format("error rate, percent of {}", errorWhole(isSoft));
 }
 
+std::string binErrorAxis(bool isSoft) {
+  return fmt::format("error rate, percent of the bin’s {}", isSoft ? "light" : "samples");
+}
+
 std::string signedPercent(double share) {
   if (share == 0) return "0.00";
   return (share < 0 ? "−" : "+") + percentText(std::abs(share));

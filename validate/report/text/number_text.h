@@ -26,6 +26,9 @@ const char* leastErrorText(bool isSoft);
 /// The title of an axis of error rates: "error rate, percent of the samples".
 std::string errorAxis(bool isSoft);
 
+/// The same for the errors inside a bin: "error rate, percent of the bin’s samples".
+std::string binErrorAxis(bool isSoft);
+
 /// A share in percent with its sign and two decimals, "+1.20", "−0.03"; "0.00" for none at all, and
 /// "+<0.01" or "−<0.01" for what would round to it.
 std::string signedPercent(double share);

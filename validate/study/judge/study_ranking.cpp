@@ -60,14 +60,13 @@ void setClose(RankedOverStudies& method, const std::string& best,
     const auto difference = differenceIn(study, method.label, best);
     if (!difference) return;
     found.push_back(*difference);
-    if (difference->interval) continue;
-    without.push_back(fmt::format("{} ({})", study.name, difference->reason));
+    if (!difference->interval) without.push_back(study.name);
   }
   const Estimate mean = estimateOf(meanDifference(found));
   if (isDistinguishable(mean)) return;
   method.hasNoInterval = !mean.interval;
   method.closeToBest =
-      !mean.interval ? fmt::format("no interval of the difference on {}", fmt::join(without, "; "))
+      !mean.interval ? fmt::format("no interval of the difference on {}", fmt::join(without, ", "))
       : mean.interval->holds(0) ? "the interval of the difference holds 0"
                                 : "the difference is within the truth's uncertainty";
 }
@@ -106,10 +105,9 @@ std::vector<RankedOverStudies> rankOverStudies(std::span<const StudyMeans> studi
   return methods;
 }
 
-std::string labelWithName(const RankedOverStudies& method) {
-  const bool plain =
-      method.names.empty() || (method.names.size() == 1 && method.names.front() == method.label);
-  return plain ? method.label : fmt::format("{} ({})", method.label, fmt::join(method.names, ", "));
+std::string labelWithName(const std::string& label, const std::vector<std::string>& names) {
+  const bool saysItself = names.empty() || (names.size() == 1 && label.starts_with(names.front()));
+  return saysItself ? label : fmt::format("{} ({})", label, fmt::join(names, ", "));
 }
 
 }  // namespace gnomon::study

@@ -26,9 +26,9 @@ struct RankedOverStudies {
   /// may be compared with.
   std::optional<double> leaderError;
   /// Why it is not distinguishable from rank 1, by the mean of their differences over all studies
-  /// with the mean of the intervals' ends: "no interval of the difference on bumps (at 0.5: the
-  /// view has too few blocks of samples)", "the interval of the difference holds 0". None where it
-  /// is, or where a study has no difference.
+  /// with the mean of the intervals' ends: "no interval of the difference on bumps, dunes" (why is
+  /// said by those studies), "the interval of the difference holds 0". None where it is, or where a
+  /// study has no difference.
   std::optional<std::string> closeToBest;
   bool hasNoInterval = false;  ///< whether that is for want of an interval
 };
@@ -41,7 +41,9 @@ struct RankedOverStudies {
 /// mean may be compared with.
 std::vector<RankedOverStudies> rankOverStudies(std::span<const StudyMeans> studies);
 
-/// "onoue-2004", or "ours (onoue-2004)" where the label is not the method's own name.
-std::string labelWithName(const RankedOverStudies& method);
+/// What a method is labelled and what it is: "ours (onoue-2004)"; the label alone where it says so
+/// itself, "onoue-2004" or "onoue-2004, 16 azimuths".
+/// @param names  those of all methods that have the label
+std::string labelWithName(const std::string& label, const std::vector<std::string>& names);
 
 }  // namespace gnomon::study

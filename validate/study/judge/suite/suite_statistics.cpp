@@ -82,22 +82,55 @@ struct Comparison {
   std::optional<compare::ResampledMean> mean;
 };
 
-void compare(const compare::SceneTable& table, Comparison& comparison, std::size_t resamples) {
-  const std::vector<double> first = errorsOn(table, comparison.first, comparison.scenes);
-  const std::vector<double> second = errorsOn(table, comparison.second, comparison.scenes);
+/// How many comparisons a thread takes at once: they share the drawing of the resamples.
+constexpr std::size_t comparisonsAtOnce = 32;
+
+void compare(const compare::SceneTable& table, Comparison& comparison, compare::ResampledMean of) {
   const std::vector<double> uncertainty = chosen(table.uncertainty, comparison.scenes);
-  std::vector<double> differences;
-  for (std::size_t s = 0; s < first.size(); ++s) differences.push_back(first[s] - second[s]);
-  comparison.mean.emplace(differences, compare::SceneResamples(differences.size(), resamples));
-  const compare::ResampledMean& mean = *comparison.mean;
+  const compare::ResampledMean& mean = comparison.mean.emplace(std::move(of));
   SuitePair& pair = comparison.pair;
-  pair.wins = compare::winShare(first, second, uncertainty);
+  pair.wins = compare::winShare(errorsOn(table, comparison.first, comparison.scenes),
+                                errorsOn(table, comparison.second, comparison.scenes), uncertainty);
   pair.difference = mean.mean();
   pair.interval = mean.interval(0.05);
   pair.reason = mean.reason();
   if (!pair.interval && pair.reason.empty()) pair.reason = "a few scenes decide everything";
   pair.uncertainty = meanOfAll(uncertainty);
   pair.probability = mean.probabilityOfZero();
+}
+
+/// @param comparisons  over equally many scenes
+void compare(const compare::SceneTable& table, std::span<Comparison* const> comparisons,
+             std::size_t resamples) {
+  std::vector<std::vector<double>> differences;
+  for (const Comparison* comparison : comparisons) {
+    std::vector<double>& own =
+        differences.emplace_back(errorsOn(table, comparison->first, comparison->scenes));
+    const std::vector<double> second = errorsOn(table, comparison->second, comparison->scenes);
+    for (std::size_t s = 0; s < own.size(); ++s) own[s] -= second[s];
+  }
+  std::vector<compare::ResampledMean> means = compare::ResampledMean::ofAll(
+      differences, compare::SceneResamples(differences.front().size(), resamples));
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    compare(table, *comparisons[i], std::move(means[i]));
+  }
+}
+
+void compareAll(const compare::SceneTable& table, std::vector<Comparison>& comparisons) {
+  const std::size_t resamples = compare::resamplesFor(comparisons.size());
+  std::map<std::size_t, std::vector<Comparison*>> bySceneCount;
+  for (Comparison& comparison : comparisons) {
+    bySceneCount[comparison.scenes.size()].push_back(&comparison);
+  }
+  for (const auto& [scenes, alike] : bySceneCount) {
+    const std::span<Comparison* const> all = alike;
+    const std::size_t groups = (all.size() + comparisonsAtOnce - 1) / comparisonsAtOnce;
+    parallelFor(0, groups, [&](std::size_t group) {
+      const std::size_t first = group * comparisonsAtOnce;
+      compare(table, all.subspan(first, std::min(comparisonsAtOnce, all.size() - first)),
+              resamples);
+    });
+  }
 }
 
 /// Holm's correction over all pairs that have an interval, and the verdicts.
@@ -309,9 +342,7 @@ SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyM
     return study.suite == suite && study.isSoft;
   });
   std::vector<Comparison> comparisons = comparisonsOf(statistics.table, statistics.methods);
-  const std::size_t resamples = compare::resamplesFor(comparisons.size());
-  parallelFor(0, comparisons.size(),
-              [&](std::size_t i) { compare(statistics.table, comparisons[i], resamples); });
+  compareAll(statistics.table, comparisons);
   statistics.comparisons = judge(comparisons);
   for (Comparison& comparison : comparisons) statistics.pairs.push_back(std::move(comparison.pair));
   statistics.bins = binsOf(scenes, statistics.methods);
