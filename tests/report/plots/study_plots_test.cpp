@@ -52,9 +52,9 @@ TEST(BinPlot, OfSoftLightErrorsAreSharesOfTheLight) {
   const auto axisOf = [&] {
     return binPlot(record, "elevation", "camera", MethodStyles(study::studyMeans(record))).commands;
   };
-  EXPECT_THAT(axisOf(), HasSubstr("set ylabel 'error rate, percent of the bin’s samples'"));
+  EXPECT_THAT(axisOf(), HasSubstr("set ylabel 'wrong, percent of the bin’s samples'"));
   for (study::ResultRecord& row : record.results) row.shares.push_back({"mae", 0.01, {}});
-  EXPECT_THAT(axisOf(), HasSubstr("set ylabel 'error rate, percent of the bin’s light'"));
+  EXPECT_THAT(axisOf(), HasSubstr("set ylabel 'wrong, percent of the bin’s light'"));
 }
 
 /// 1, 2, 4, 8: each bin is as wide as the others on a logarithmic axis, those at the ends too.

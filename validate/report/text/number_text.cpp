@@ -36,7 +36,7 @@ std::string errorAxis(bool isSoft) {
 }
 
 std::string binErrorAxis(bool isSoft) {
-  return fmt::format("error rate, percent of the bin’s {}", isSoft ? "light" : "samples");
+  return fmt::format("wrong, percent of the bin’s {}", isSoft ? "light" : "samples");
 }
 
 std::string signedPercent(double share) {

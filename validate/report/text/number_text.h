@@ -26,7 +26,7 @@ const char* leastErrorText(bool isSoft);
 /// The title of an axis of error rates: "error rate, percent of the samples".
 std::string errorAxis(bool isSoft);
 
-/// The same for the errors inside a bin: "error rate, percent of the bin’s samples".
+/// The same for the errors inside a bin: "wrong, percent of the bin’s samples".
 std::string binErrorAxis(bool isSoft);
 
 /// A share in percent with its sign and two decimals, "+1.20", "−0.03"; "0.00" for none at all, and
