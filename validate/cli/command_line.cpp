@@ -80,8 +80,8 @@ Examples:
   gnomon cache --clear)";
 
 constexpr const char* planExamples = R"(
-Measures one case, the one of median cost, unless an earlier call has; a line for each case up to 50,
-then a line for each study.
+Estimates from one measured case, that of median cost, which later calls need not measure again.
+Prints a line for each case, or, of more than 50 cases, a line for each study.
 
 Examples:
   gnomon plan scenes/*.toml
@@ -89,8 +89,8 @@ Examples:
   gnomon plan scenes/*.toml --json)";
 
 constexpr const char* mergeExamples = R"(
-The same files as the run without shards. Studies are read again by the names that the shards were
-given, so call it in the same folder.
+Writes the same files as a run without shards. It reads the studies again, by the file names that the
+shards were given: call it in the same folder.
 
 Example, each shard on any machine:
   gnomon run scenes/height-sweep.toml --shard 1/2 --out shards/1
@@ -340,7 +340,7 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   CLI::App* init = app.add_subcommand(
       "init", "Write a starter: a study, a method of your own, a workflow of a build server");
   std::filesystem::path starterFolder = ".";
-  init->add_option("DIR", starterFolder, "Folder for it; nothing in it is overwritten")
+  init->add_option("DIR", starterFolder, "Folder for the starter; files that are there stay as they are")
       ->capture_default_str()
       ->type_name("DIR");
 

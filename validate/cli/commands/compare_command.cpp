@@ -31,7 +31,7 @@ constexpr const char* compareExamples = R"(
 White is lit, black is shadowed; Gnomon's grey (128) and alpha 0 mean no sample. All pixels count the
 same. --max and --min take any metric of the table, shares as 0.02 or "2 %"; a metric that is not
 defined fails. Of two folders, the pictures of one name are compared, whatever their formats; a name
-that only one of them holds is an error. `_truth` at a name's end is no part of it.
+that only one of them holds is an error. The ending `_truth` of a name is ignored.
 
 A truth of more than 8 bits with values between black and white holds V, the share of a light's disc
 that is seen: error_rate is then the mean of |V - V_truth|, and boundaries are those of both cut at
@@ -327,8 +327,8 @@ CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request) {
   addGates("--min", request.minima, "Fail if a metric is smaller; may be repeated");
   command
       ->add_option("--uncertainty", request.uncertainty,
-                   "The truth's own, a share as 0.001 or \"0.1 %\"; by default what export.json "
-                   "states of a mask that was exported")
+                   "Uncertainty of the truth, a share as 0.001 or \"0.1 %\"; by default the one that "
+                   "export.json states for an exported mask")
       ->type_name("SHARE");
   command
       ->add_option("--binarise", request.threshold,

@@ -11,8 +11,8 @@ namespace gnomon::cli {
 namespace {
 
 constexpr const char* examples = R"text(
-The same seed gives the same bytes on every machine. What is printed is the SHA-256 that docs/suite.md
-has for the public seeds, and that a hidden seed is committed to by.
+The same seed gives the same bytes on every machine. Prints the SHA-256 of all scenes: docs/suite.md
+lists it for the public seeds, and whoever keeps a seed hidden publishes it in advance.
 
 Examples:
   gnomon suite --seed 1 --scenes 200 --split test --out suite
