@@ -172,14 +172,19 @@ const float halfCentre = 0.42441318;  // 4 / 3π
 
 int marchesUpTo(float end) { return 2.0 * halfCentre * lightRadius * end > 0.25 ? 2 : 1; }
 
-// The light that one of these marches goes to: on the great circle through the disc's centre that is
+// The direction that one of these marches goes to: on the great circle through the disc's centre that is
 // level there. On it tan θ falls off to both sides as the horizon of a wall across the light does.
-LocalLight marchedLight(Pixel pixel, LocalLight light, int march, int marches) {
-  if (marches == 1) return light;
+vec3 marchedDirection(Pixel pixel, LocalLight light, int march, int marches) {
+  if (marches == 1) return lightDirection;
   float size = max(dot(light.tangent, light.tangent), 1e-30);
   vec3 side = cross(pixel.normal, light.tangent) * inversesqrt(size);
   float off = (march == 0 ? halfCentre : -halfCentre) * lightRadius;
-  return makeLocalLight(pixel, normalize(lightDirection + off * side));
+  return normalize(lightDirection + off * side);
+}
+
+LocalLight marchedLight(Pixel pixel, LocalLight light, int march, int marches) {
+  if (marches == 1) return light;
+  return makeLocalLight(pixel, marchedDirection(pixel, light, march, marches));
 }
 
 // The path to it, from the one to the centre.

@@ -119,7 +119,7 @@ TEST(PublishedMethods, BareConvexSurfaceEndsAtTheTerminator) {
   const surface::SampleGrid samples = scene.samples(view);
   for (const char* method :
        {"unshadowed", "max-forsyth", "onoue-2003", "onoue-2004", "onoue-exact", "relief-march",
-        "osculating-march", "geodesic-march", "resampled-horizon"}) {
+        "osculating-march", "geodesic-march", "resampled-horizon", "surface-march"}) {
     const Mask mask = scene.answer(method, view, light);
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const surface::SurfaceSample& sample = samples.samples[i];
@@ -254,8 +254,8 @@ TEST(PublishedMethods, MirroredTextureGivesTheMirroredRelief) {
   const GlContext gl;
   const MirroredScenes scenes(32);
   const Vec3 light = lightToward(20, 30);
-  for (const char* method :
-       {"max-forsyth", "onoue-2004", "unshadowed", "geodesic-march", "resampled-horizon"}) {
+  for (const char* method : {"max-forsyth", "onoue-2004", "unshadowed", "geodesic-march",
+                             "resampled-horizon", "surface-march"}) {
     // The mirrored cage has no chart, so its atlas of 16 × 16 tiles is the same by its number of
     // faces.
     const Mask a = scenes.scene.answer(method, atlasView(scenes.scene.surface, 8), light);

@@ -45,10 +45,10 @@ struct Case {
 };
 
 /// Marches take steps; Sloan & Cohen's angles come in 256 steps of a right angle.
-const std::vector<Case> cases = {{"max-forsyth", 0},        {"onoue-2004", 0},
-                                 {"onoue-exact", 0},        {"sloan-cohen", 0.5},
-                                 {"resampled-horizon", 0},  {"relief-march", 0.3},
-                                 {"osculating-march", 0.3}, {"geodesic-march", 0.3}};
+const std::vector<Case> cases = {
+    {"max-forsyth", 0},        {"onoue-2004", 0},        {"onoue-exact", 0},
+    {"sloan-cohen", 0.5},      {"resampled-horizon", 0}, {"relief-march", 0.3},
+    {"osculating-march", 0.3}, {"geodesic-march", 0.3},  {"surface-march", 0.3}};
 
 class ShearedShadow : public testing::TestWithParam<relief::HeightSpace> {};
 

@@ -112,6 +112,7 @@ TEST(TwoScales, CastsTheShadowOfARidge) {
   };
   EXPECT_EQ(with({{"light_pieces", 16}}), 0) << "a mesh with the ridge on its lines";
   EXPECT_LT(with({}), 0.02);
+  EXPECT_EQ(ridge.wrong(ridge.scene.answer("two-scales-surface", ridge.view, ridge.light)), 0);
   // Five pieces of six texels cut the ridge: beside its silhouettes the march decides.
   EXPECT_EQ(with({{"light_pieces", 5}, {"edge", 1}}), 0);
   EXPECT_GT(with({{"light_pieces", 5}, {"edge", 0}}), 0.05);
@@ -164,6 +165,7 @@ TEST(TwoScales, SeesTheFarSideOfABodyWhereAMarchOverTheTextureDoesNot) {
     return static_cast<double>(verdict.wrong) / static_cast<double>(verdict.lit + verdict.dark);
   };
   EXPECT_LT(error("two-scales"), 0.02);
+  EXPECT_LT(error("two-scales-surface"), 0.01);
   EXPECT_GT(error("geodesic-march"), 2 * error("two-scales"));
   EXPECT_GT(error("unshadowed"), 0.02);
 }
@@ -185,6 +187,8 @@ TEST(TwoScales, EndsItsMarchWhereThePathTwists) {
   };
   EXPECT_LT(wrong(0.25), 16);
   EXPECT_LT(wrong(8), 16);
+  EXPECT_LT(judge(ring.scene.answer("two-scales-surface", view, light), truth, samples).wrong, 12)
+      << "its march knows where the bumps lean";
 }
 
 // The depth map is off by how long a piece is, here sixteen times its width, not by the side of a
@@ -208,9 +212,11 @@ TEST(TwoScales, KnowsHowLongAPieceIs) {
 
 TEST(TwoScales, KnowsNoUnit) {
   const GlContext gl;
-  const Mask one = Ring(1).answer("two-scales");
-  EXPECT_LT(difference(one, Ring(1000).answer("two-scales")), 0.002);
-  EXPECT_LT(difference(one, Ring(1e-3).answer("two-scales")), 0.002);
+  for (const char* method : {"two-scales", "two-scales-surface", "surface-march"}) {
+    const Mask one = Ring(1).answer(method);
+    EXPECT_LT(difference(one, Ring(1000).answer(method)), 0.002) << method;
+    EXPECT_LT(difference(one, Ring(1e-3).answer(method)), 0.002) << method;
+  }
 }
 
 }  // namespace
