@@ -36,17 +36,9 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   return march.horizon >= slope;
 }
 
-// Of a disc the march follows the lowest ray and keeps the highest horizon, as geodesic-march does, and
-// twice where the disc is wide.
 float visibility(Pixel pixel, LocalLight light) {
   int marches = marchesUpTo(makePath(pixel, lowestRay(light)).limit);
   if (!(dot(shadingNormal(pixel), lightDirection) > -sin(lightRadius))) return 0.0;
-  float sum = 0.0;
-  for (int march = 0; march < marches; ++march) {
-    vec3 toward = marchedDirection(pixel, light, march, marches);
-    float slope;
-    March found = marchToward(pixel, toward, lightRadius, slope);
-    sum += shareOver(slope, found.horizon);
-  }
-  return sum / float(marches);
+  March found;
+  return shareMarched(pixel, light, marches, found);
 }

@@ -108,19 +108,10 @@ float visibility(Pixel pixel, LocalLight light) {
   vec3 facet = shadingNormal(pixel);
   float cosine = dot(facet, lightDirection);
   if (!(cosine > -sin(lightRadius))) return 0.0;
-  int marches = marchesUpTo(path.limit);
-  float sum = 0.0;
-  bool isWhole = true;
   March found;
-  for (int march = 0; march < marches; ++march) {
-    float slope;
-    found = marchToward(pixel, marchedDirection(pixel, light, march, marches), lightRadius, slope);
-    sum += shareOver(slope, found.horizon);
-    isWhole = isWhole && found.isWhole;
-  }
-  float share = sum / float(marches);
+  float share = shareMarched(pixel, light, marchesUpTo(path.limit), found);
   if (share <= 0.0) return 0.0;
-  if (!isWhole) return min(share, shareAtTwoScales(pixel, light, path, piece, facet, cosine));
+  if (!found.isWhole) return min(share, shareAtTwoScales(pixel, light, path, piece, facet, cosine));
   DepthPlace at = depthPlaceOf(pixel, light, path, piece, facet, cosine);
   float beyond = found.known / lightMapLengths.y;
   float reach = tan(lightRadius) * lightMapLengths.y / lightMapLengths.x;  // texels, of depth 1

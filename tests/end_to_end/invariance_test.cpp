@@ -26,7 +26,7 @@ namespace {
 constexpr std::array allMethods = {
     "ellipse",       "geodesic-march",   "max-forsyth",         "onoue-2003",        "onoue-2004",
     "onoue-exact",   "osculating-march", "relief-march",        "resampled-horizon", "shadow-map",
-    "shadow-volume", "sloan-cohen",      "sloan-cohen-surface", "surface-march", "unshadowed"};
+    "shadow-volume", "sloan-cohen",      "sloan-cohen-surface", "surface-march",     "unshadowed"};
 
 /// How many samples of a view rounding may flip.
 int flipsOfRounding(const std::string& method) {

@@ -340,7 +340,8 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   CLI::App* init = app.add_subcommand(
       "init", "Write a starter: a study, a method of your own, a workflow of a build server");
   std::filesystem::path starterFolder = ".";
-  init->add_option("DIR", starterFolder, "Folder for the starter; files that are there stay as they are")
+  init->add_option("DIR", starterFolder,
+                   "Folder for the starter; files that are there stay as they are")
       ->capture_default_str()
       ->type_name("DIR");
 

@@ -66,9 +66,9 @@ Surface surfaceAt(vec2 at) {
 
   Surface there;
   // The last channel of a pass over the texture is 1 where the surface has the texel. A border is half a
-  // texel beyond the outermost side, and two texels at most from `corner`.
+  // texel beyond the outermost centres, and a bent path may miss it by a little.
   there.isKnown = min(min(p00.w, p10.w), min(p01.w, p11.w)) > 0.0 &&
-                  all(lessThan(abs(f - 0.5), vec2(1.51)));
+                  all(lessThan(abs(f - 0.5), vec2(1.5)));
   there.column = mix(mix(c00, c10, f.x), mix(c01, c11, f.x), f.y);
   there.columnX = mix(c10 - c00, c11 - c01, f.y);
   there.columnY = mix(c01 - c00, c11 - c10, f.x);
@@ -159,11 +159,6 @@ struct Ray {
   vec3 toward;  // r, unit
 };
 
-// The slope at which a world point is seen from the ray's origin.
-float slopeToward(Ray ray, vec3 point) {
-  return dot(point - ray.origin, ray.up) / max(dot(point - ray.origin, ray.along), 1e-30);
-}
-
 // The ray to a light, lowered by an angle; the light's own slope is `slope`.
 Ray rayToward(Pixel pixel, Surface there, float height, vec3 light, float lowered,
               out float slope) {
@@ -190,6 +185,32 @@ Path legPath(vec2 start, vec2 direction, vec2 bend) {
   return path;
 }
 
+// A leg of the march: from a solved place on, by texels along the path.
+struct Leg {
+  vec3 start;            // x, y and η
+  vec3 velocity;         // their change per texel
+  vec3 bend;             // and half the change of that
+  float known;           // how far along the ray it starts, world
+  float texelsPerWorld;  // of the ray
+  float far;             // its length, texels
+  vec3 column, columnAtEnd;
+};
+
+// The slope at which the ray sees what is `height` height units high at a place of a leg.
+float slopeSeen(Ray ray, Leg leg, float place, float height) {
+  float over = height - (leg.start.z + place * (leg.velocity.z + place * leg.bend.z));
+  vec3 seen = (leg.known + place / leg.texelsPerWorld) * ray.toward +
+              over * mix(leg.column, leg.columnAtEnd, place / leg.far);
+  return dot(seen, ray.up) / max(dot(seen, ray.along), 1e-30);
+}
+
+// How far it is to a border of the surface, texels; without one ahead 1e30.
+float borderDistance(vec2 at, vec2 direction) {
+  vec2 ahead = max(mix(at, mapSize - at, greaterThan(direction, vec2(0.0))), vec2(0.0));
+  vec2 distances = mix(vec2(1e30), ahead / max(abs(direction), 1e-6), reliefBorder);
+  return min(distances.x, distances.y);
+}
+
 // What a march has found.
 struct March {
   float horizon;  // the highest slope at which the relief is seen; -1e9 where there is none
@@ -214,7 +235,8 @@ March marchAlong(Ray ray, Surface there, vec3 start, bool isConvex, float enough
     bool isOver = at.z > heightBounds.y;
     if (!found.isWhole || (isOver && velocity.z > 0.0 && bend.z >= 0.0)) break;
     // Over all bumps a leg may be longer; of one that leaves them the rest need not be looked at.
-    float longest = min(rest, knownDistance(at.xy, velocity.xy));
+    float border = borderDistance(at.xy, velocity.xy);
+    float longest = min(rest, border);
     float far = min(isOver ? 4.0 * leg : leg, longest);
     if (!isOver && velocity.z > 0.0) far = min(far, max((heightBounds.y - at.z) / velocity.z, 0.5));
 
@@ -229,6 +251,7 @@ March marchAlong(Ray ray, Surface there, vec3 start, bool isConvex, float enough
     to += off;
     bend = (to - at - far * velocity) / (far * far);
 
+    Leg way = Leg(at, velocity, bend, found.known, texelsPerWorld, far, there.column, next.column);
     Path path = legPath(at.xy, velocity.xy, bend.xy);
     Crossings crossings = firstCrossings(path);
     // A crossing between two legs belongs to one of them, however it is rounded.
@@ -242,13 +265,14 @@ March marchAlong(Ray ray, Surface there, vec3 start, bool isConvex, float enough
       CellEnds ends = cellEnds(path, enter, leave, texelSize);
       for (int side = 0; side < 2; ++side) {
         float crossing = side == 0 ? enter : leave;
-        float place = ends.place[side];
-        float over = ends.height[side] - (at.z + place * (velocity.z + place * bend.z));
-        vec3 seen = ray.origin + (found.known + place / texelsPerWorld) * ray.toward +
-                    over * mix(there.column, next.column, place / far);
+        float slope = slopeSeen(ray, way, ends.place[side], ends.height[side]);
         bool counts = crossing <= last && crossing > first;
-        found.horizon = counts ? max(found.horizon, slopeToward(ray, seen)) : found.horizon;
+        found.horizon = counts ? max(found.horizon, slope) : found.horizon;
       }
+    }
+    // A surface that rises to its border hides most there, past the last line of texel centres.
+    if (far >= border && far > first) {
+      found.horizon = max(found.horizon, slopeSeen(ray, way, far, heightAt(to.xy)));
     }
     found.known = end;
     rest = far < longest ? rest - far : 0.0;
@@ -267,4 +291,26 @@ March marchToward(Pixel pixel, vec3 light, float width, out float slope) {
   bool isConvex = normalCurvature(pixel, ray.along) >= 0.0;
   float enough = slopeTurned(slope, tan(width));
   return marchAlong(ray, there, vec3(pixel.texel, height), isConvex, enough);
+}
+
+// V of a disc: the march follows its lowest ray and keeps the highest horizon, twice where the disc is
+// wide, as geodesic-march does.
+// @param marches  how many are made; one is enough where what hides all of the disc is so near that the
+//                 other would meet it, too
+// @param found    the last of them, whole if all are
+float shareMarched(Pixel pixel, LocalLight light, int marches, out March found) {
+  float texelsPerWorld = 1.0 / (light.worldPerTexel * sqrt(1.0 + light.slope * light.slope));
+  float sum = 0.0;
+  bool isDark = false;
+  bool isWhole = true;
+  for (int march = 0; march < marches && !isDark; ++march) {
+    float slope;
+    found = marchToward(pixel, marchedDirection(pixel, light, march, marches), lightRadius, slope);
+    float share = shareOver(slope, found.horizon);
+    isDark = share <= 0.0 && marchesUpTo(found.known * texelsPerWorld) == 1;
+    isWhole = isWhole && found.isWhole;
+    sum += share;
+  }
+  found.isWhole = isWhole;
+  return sum / float(marches);
 }

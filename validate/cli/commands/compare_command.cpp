@@ -326,9 +326,10 @@ CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request) {
   addGates("--max", request.maxima, "Fail if a metric is larger; may be repeated");
   addGates("--min", request.minima, "Fail if a metric is smaller; may be repeated");
   command
-      ->add_option("--uncertainty", request.uncertainty,
-                   "Uncertainty of the truth, a share as 0.001 or \"0.1 %\"; by default the one that "
-                   "export.json states for an exported mask")
+      ->add_option(
+          "--uncertainty", request.uncertainty,
+          "Uncertainty of the truth, a share as 0.001 or \"0.1 %\"; by default the one that "
+          "export.json states for an exported mask")
       ->type_name("SHARE");
   command
       ->add_option("--binarise", request.threshold,
