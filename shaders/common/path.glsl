@@ -27,6 +27,7 @@ struct Path {
   float height;         // h₀, world
   float rise;           // slope of the flat relief at r → 0⁺, world
   float slope;          // tan θ
+  float border;         // where the surface ends, texels; 1e30 where it goes on
   float limit;          // no bump farther than this hides the light, texels
 };
 
@@ -99,7 +100,7 @@ float pathEnd(Path path) {
   float root = sqrt(curvature * curvature + 4.0 * quarter * abs(path.turn));
   float end = min(searchRadius, 2.0 * quarter / max(curvature + root, 1e-20));
   end = min(end, 0.25 / max(length(path.bend), 1e-20));
-  return min(end, knownDistance(path.start, path.direction));
+  return min(end, path.border);
 }
 
 // Calls derivatives: before any branch.
@@ -142,6 +143,7 @@ Path makePath(Pixel pixel, LocalLight light) {
   changing.k2 = dFdx(curvatures.y) * way.x + dFdy(curvatures.y) * way.y;
   path.turn = normalCurvature(changing, light.tangent) / 3.0;
 
+  path.border = knownDistance(path.start, path.direction, path.bend);
   path.limit = pathLimit(path, pathEnd(path));
   return path;
 }
@@ -191,6 +193,7 @@ LocalLight marchedLight(Pixel pixel, LocalLight light, int march, int marches) {
 Path marchedPath(Path path, LocalLight marched) {
   path.direction = marched.direction;
   path.worldPerTexel = marched.worldPerTexel;
+  path.border = knownDistance(path.start, path.direction, path.bend);
   return path;
 }
 
@@ -261,6 +264,7 @@ CellEnds cellEnds(Path path, float enter, float leave, vec2 texelSize) {
 // has one way out, since a software renderer pays for each in every step, and that at its top: of a
 // loop left at its end alone Mesa 22's goes on to change the result of pixels that have left it.
 bool shadowedAtCrossings(Path path, Crossings at, float end) {
+  end = min(end, path.border);
   vec2 texelSize = 1.0 / vec2(textureSize(heightMap, 0));
   float most = -1.0;  // excess
   for (float enter = nextCrossing(at); enter <= end && most < 0.0; enter = nextCrossing(at)) {
@@ -272,6 +276,8 @@ bool shadowedAtCrossings(Path path, Crossings at, float end) {
     float after = excess(path, ends.place.y, ends.height.y);
     most = max(before, leave <= end ? after : -1.0);
   }
+  // A surface that rises to its border hides most there, past the last line of texel centres.
+  if (path.border <= end && most < 0.0) most = excess(path, end);
   return most >= 0.0;
 }
 
@@ -279,6 +285,7 @@ bool shadowedAtCrossings(Path path, Crossings at, float end) {
 // crossings up to `end`, as far as one that is `enough`; `at` is then past the last. What is nearer
 // than a few thousandths of a texel has no slope in float.
 float horizonAtCrossings(Path path, inout Crossings at, float end, float lowest, float enough) {
+  end = min(end, path.border);
   vec2 texelSize = 1.0 / vec2(textureSize(heightMap, 0));
   float most = lowest;
   for (float enter = nextCrossing(at); enter <= end && most < enough; enter = nextCrossing(at)) {
@@ -289,6 +296,9 @@ float horizonAtCrossings(Path path, inout Crossings at, float end, float lowest,
     float before = slopeOf(path, max(ends.place.x, 4e-3), ends.height.x);
     float after = slopeOf(path, max(ends.place.y, 4e-3), ends.height.y);
     most = max(most, max(enter > 4e-3 ? before : -1e9, leave <= end && leave > 4e-3 ? after : -1e9));
+  }
+  if (path.border <= end && end > 4e-3) {
+    most = max(most, slopeOf(path, end, heightAt(pathPoint(path, end))));
   }
   return most;
 }

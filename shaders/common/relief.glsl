@@ -41,15 +41,22 @@ vec2 gradientIn(Cell cell) {
 
 vec2 heightGradient(vec2 at) { return gradientIn(heightCell(at)); }
 
-// How far along a direction the relief is known, texels: as far as the first line of texel centres
-// past a border, half a texel beyond it. Where no border lies ahead, 1e30. What the wrap rule puts
-// there casts no shadow, since there is no surface: tables are baked by the same rule.
-float knownDistance(vec2 start, vec2 direction) {
+// How far along a path the relief is known, texels: as far as the border. Where no border lies ahead,
+// 1e30. What the wrap rule puts past it casts no shadow, since there is no surface: tables are baked by
+// the same rule. The path goes from `start` along `direction` + t `bend`, and reaches a border `ahead`
+// where |d| t + b t² = ahead, b counted toward it.
+float knownDistance(vec2 start, vec2 direction, vec2 bend) {
   vec2 size = vec2(textureSize(heightMap, 0));
-  vec2 ahead = mix(start, size - start, greaterThan(direction, vec2(0.0))) + 0.5;
-  vec2 known = mix(vec2(1e30), ahead / max(abs(direction), 1e-6), reliefBorder);
-  return max(min(known.x, known.y), 0.0);
+  bvec2 isUp = greaterThan(direction, vec2(0.0));
+  vec2 ahead = max(mix(start, size - start, isUp), 0.0);
+  vec2 way = max(abs(direction), 1e-6);
+  vec2 square = way * way + 4.0 * mix(-bend, bend, isUp) * ahead;
+  vec2 there = 2.0 * ahead / (way + sqrt(max(square, 0.0)));
+  vec2 known = mix(vec2(1e30), there, bvec2(ivec2(reliefBorder) * ivec2(greaterThanEqual(square, vec2(0.0)))));
+  return min(known.x, known.y);
 }
+
+float knownDistance(vec2 start, vec2 direction) { return knownDistance(start, direction, vec2(0.0)); }
 
 // N' of bump mapping (Blinn 1978): the normal of P + a h n, with the change of n left out.
 vec3 bumpedNormal(Pixel pixel, vec2 gradient) {

@@ -101,11 +101,13 @@ TEST(HorizonBake, ARidgeEndsAtABorder) {
   const HorizonTables drawnOut = bakeHorizons(ridge, {8, 40});
   const HorizonTables ended = bakeHorizons(ridge.withBorder({true, true}), {8, 40});
   for (int y = 0; y < 16; ++y) {
-    // At 45° from column 4 the ridge stands 8 rows up: in the map, or on the line past its border.
+    // At 45° from column 4 the ridge stands 8 rows up, or half of it on the border, 7½ rows up.
     const auto seen = static_cast<float>(4 / std::sqrt(128.0));
     EXPECT_FLOAT_EQ(horizonAt(drawnOut, 1, 4, y), seen);
-    if (y + 8 <= 16) {
+    if (y + 8 < 16) {
       EXPECT_FLOAT_EQ(horizonAt(ended, 1, 4, y), seen);
+    } else if (y + 8 == 16) {
+      EXPECT_FLOAT_EQ(horizonAt(ended, 1, 4, y), static_cast<float>(2 / (7.5 * std::sqrt(2.0))));
     } else {
       EXPECT_EQ(horizonAt(ended, 1, 4, y), 0) << y;
       EXPECT_EQ(distanceAt(ended, 1, 4, y), 0) << y;
@@ -114,7 +116,7 @@ TEST(HorizonBake, ARidgeEndsAtABorder) {
 }
 
 TEST(HorizonBake, ARampEndsAtABorder) {
-  // It goes on for the one texel that clamping keeps flat.
+  // It ends with the half texel that clamping keeps flat.
   const relief::HeightField ramp =
       sampled(16, 16, relief::Wrap::clamp, [](int x, int) { return 0.5 * x; });
   const HorizonTables up = bakeHorizons(ramp.withBorder({true, true}), {4, 40});
@@ -122,8 +124,8 @@ TEST(HorizonBake, ARampEndsAtABorder) {
   EXPECT_EQ(horizonAt(up, 0, 15, 3), 0) << "the half texel before the border is flat";
   // Down the ramp nothing lies beyond: the slope is the ramp's own or, at its foot, flat.
   for (int x = 1; x < 16; ++x) {
-    EXPECT_FLOAT_EQ(horizonAt(up, 2, x, 3), static_cast<float>(-0.5 * x / (x + 1)));
-    EXPECT_FLOAT_EQ(distanceAt(up, 2, x, 3), static_cast<float>(x + 1));
+    EXPECT_FLOAT_EQ(horizonAt(up, 2, x, 3), static_cast<float>(-0.5 * x / (x + 0.5)));
+    EXPECT_FLOAT_EQ(distanceAt(up, 2, x, 3), static_cast<float>(x + 0.5));
   }
 }
 

@@ -89,11 +89,11 @@ inline Supremum maximumBetween(const SlopeAlongRay& slope, double near, double f
 }
 
 /// The supremum by brute force: every stretch between lattice lines on its own.
-/// Up to the first line of texel centres past a border, or the radius.
+/// Up to a border, or the radius.
 inline Supremum bruteForce(const relief::HeightField& field, Vec2 p, Vec2 e, double radius) {
   const auto knownAlong = [&](double place, double way, int size, bool border) {
     if (!border || std::abs(way) < 1e-12) return radius;
-    return (way > 0 ? size + 0.5 - place : place + 0.5) / std::abs(way);
+    return (way > 0 ? size - place : place) / std::abs(way);
   };
   radius = std::min({radius, knownAlong(p.x, e.x, field.width(), field.border().x),
                      knownAlong(p.y, e.y, field.height(), field.border().y)});

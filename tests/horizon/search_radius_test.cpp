@@ -130,10 +130,10 @@ TEST(SearchRadiusRule, EndsAtTheBorderAndWithTheSurface) {
   const surface::LimitSurface plane(surface::makePlane(64, 64, 8, 8));
   relief::Relief relief = reliefOf(64, 6, relief::Wrap::clamp);
   relief.field = relief.field.withBorder({true, true});
-  // At 1° a shadow is 344 long, and no ray along x is longer than 64.5 + half a step of the grid.
+  // At 1° a shadow is 344 long, and no ray along x is longer than 64.
   const SearchRadius ended = searchRadius(plane, relief, std::vector{lightAt(0, 1)});
   EXPECT_EQ(ended.bound, RadiusBound::border);
-  EXPECT_EQ(ended.texels, 65);
+  EXPECT_EQ(ended.texels, 64);
   relief = reliefOf(64, 6);
   relief.repeats = Vec2(2);
   const SearchRadius whole = searchRadius(plane, relief, std::vector{lightAt(0, 1)});

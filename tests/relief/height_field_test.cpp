@@ -97,18 +97,18 @@ TEST(HeightField, InvertedTwiceIsItself) {
   EXPECT_EQ(inverted(turned, 4).texels(), field.texels());
 }
 
-TEST(HeightField, IsKnownToHalfATexelPastItsBorder) {
+TEST(HeightField, IsKnownUpToItsBorder) {
   const HeightField closed(8, 6, std::vector<float>(48), Wrap::clamp);
   EXPECT_TRUE(std::isinf(closed.knownLength({3, 3}, {1, 0})));
   const HeightField open = closed.withBorder({true, true});
-  EXPECT_DOUBLE_EQ(open.knownLength({3, 2}, {1, 0}), 5.5);
-  EXPECT_DOUBLE_EQ(open.knownLength({3, 2}, {-1, 0}), 3.5);
-  EXPECT_DOUBLE_EQ(open.knownLength({3, 2}, {0, -1}), 2.5);
-  EXPECT_DOUBLE_EQ(open.knownLength({3, 2}, glm::normalize(Vec2(1, 1))), 4.5 * std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(open.knownLength({3, 2}, {1, 0}), 5);
+  EXPECT_DOUBLE_EQ(open.knownLength({3, 2}, {-1, 0}), 3);
+  EXPECT_DOUBLE_EQ(open.knownLength({3, 2}, {0, -1}), 2);
+  EXPECT_DOUBLE_EQ(open.knownLength({3, 2}, glm::normalize(Vec2(1, 1))), 4 * std::sqrt(2.0));
   EXPECT_EQ(open.knownLength({30, 2}, {1, 0}), 0) << "past the border nothing is known";
   const HeightField strip = closed.withBorder({false, true});
   EXPECT_TRUE(std::isinf(strip.knownLength({3, 2}, {1, 0})));
-  EXPECT_DOUBLE_EQ(strip.knownLength({3, 2}, {0.6, 0.8}), 4.5 / 0.8);
+  EXPECT_DOUBLE_EQ(strip.knownLength({3, 2}, {0.6, 0.8}), 4 / 0.8);
 }
 
 TEST(HeightField, RefusesWhatIsNoMap) {

@@ -440,22 +440,28 @@ TEST(PathMethods, NothingStandsBeyondABorderForAnyMarch) {
 }
 
 /// A ray at the slope s from x toward the bowl's border at x = 32 passes it where (32 + x) / 200 <
-/// s. Half a texel more of the surface, as the other marches see it, hides half a texel more.
-TEST(PathMethods, SurfaceMarchEndsAtTheBorderItself) {
+/// s. Half a texel more of the surface would hide half a texel more.
+TEST(PathMethods, MarchesEndAtTheBorderItself) {
   const GlContext gl;
   relief::Relief flat = flatRelief(64, 64);
   flat.field = flat.field.withBorder({true, true});
   const RenderScene scene(openBowl(), flat, {4, 128}, horizon::TableBits::eight, 4);
   const RenderView view = atlasView(scene.surface, 8);
   const surface::SampleGrid grid = scene.samples(view);
-  Mask exact{view.width, view.height, std::vector<Shade>(grid.samples.size(), Shade::none)};
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    const double x = scene.surface.tangentPoint(grid.samples[i]).position.x;
-    exact.samples[i] = (32 + x) / 200 < 0.25 ? Shade::lit : Shade::shadowed;
-  }
+  const auto endingAt = [&](double end) {
+    Mask exact{view.width, view.height, std::vector<Shade>(grid.samples.size(), Shade::none)};
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      const double x = scene.surface.tangentPoint(grid.samples[i]).position.x;
+      exact.samples[i] = (end + x) / 200 < 0.25 ? Shade::lit : Shade::shadowed;
+    }
+    return exact;
+  };
   const Vec3 light = glm::normalize(Vec3(1, 0, 0.25));
-  EXPECT_LT(difference(scene.answer("surface-march", view, light), exact), 1e-3);
-  EXPECT_GT(difference(scene.answer("geodesic-march", view, light), exact), 5e-3);
+  for (const char* method : {"surface-march", "geodesic-march", "resampled-horizon"}) {
+    const Mask answer = scene.answer(method, view, light);
+    EXPECT_LT(difference(answer, endingAt(32)), 1e-3) << method;
+    EXPECT_GT(difference(answer, endingAt(32.5)), 5e-3) << method;
+  }
 }
 
 /// A wall on the far side of a repeating map's border, where the next tile would have it.

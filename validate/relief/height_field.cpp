@@ -41,7 +41,7 @@ double mix(double a, double b, double share) {
 /// As `knownLength`, along one axis.
 double knownAlong(double place, double direction, int size) {
   if (direction == 0) return std::numeric_limits<double>::infinity();
-  const double ahead = direction > 0 ? size + 0.5 - place : place + 0.5;
+  const double ahead = direction > 0 ? size - place : place;
   return std::max(ahead, 0.0) / std::abs(direction);
 }
 

@@ -204,13 +204,6 @@ float slopeSeen(Ray ray, Leg leg, float place, float height) {
   return dot(seen, ray.up) / max(dot(seen, ray.along), 1e-30);
 }
 
-// How far it is to a border of the surface, texels; without one ahead 1e30.
-float borderDistance(vec2 at, vec2 direction) {
-  vec2 ahead = max(mix(at, mapSize - at, greaterThan(direction, vec2(0.0))), vec2(0.0));
-  vec2 distances = mix(vec2(1e30), ahead / max(abs(direction), 1e-6), reliefBorder);
-  return min(distances.x, distances.y);
-}
-
 // What a march has found.
 struct March {
   float horizon;  // the highest slope at which the relief is seen; -1e9 where there is none
@@ -235,7 +228,7 @@ March marchAlong(Ray ray, Surface there, vec3 start, bool isConvex, float enough
     bool isOver = at.z > heightBounds.y;
     if (!found.isWhole || (isOver && velocity.z > 0.0 && bend.z >= 0.0)) break;
     // Over all bumps a leg may be longer; of one that leaves them the rest need not be looked at.
-    float border = borderDistance(at.xy, velocity.xy);
+    float border = knownDistance(at.xy, velocity.xy, bend.xy);
     float longest = min(rest, border);
     float far = min(isOver ? 4.0 * leg : leg, longest);
     if (!isOver && velocity.z > 0.0) far = min(far, max((heightBounds.y - at.z) / velocity.z, 0.5));

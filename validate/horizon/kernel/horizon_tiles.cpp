@@ -18,6 +18,7 @@
 #include "horizon/kernel/box_maxima.h"
 #include "horizon/kernel/padded_map.h"
 #include "horizon/kernel/tile_kernel.h"
+#include "horizon/reference/height_profile.h"
 #include "horizon/reference/ray_crossings.h"
 
 namespace gnomon::horizon {
@@ -108,6 +109,23 @@ struct BakeScratch {
   HorizonTile baked;
 };
 
+/// Ends rays at the border of the relief: those whose horizon lies past it, where the padded map goes
+/// on for half a texel, are searched again. They are few.
+void endAtBorder(const relief::HeightField& field, const AzimuthPlan& plan, HorizonTile& baked) {
+  if (!field.border().x && !field.border().y) return;
+  const TexelTile& tile = baked.tile;
+  for (int y = tile.bottom; y < tile.top; ++y) {
+    for (int x = tile.left; x < tile.right; ++x) {
+      const auto at = static_cast<std::size_t>((y - tile.bottom) * TexelTile::width + x - tile.left);
+      const Vec2 centre(x + 0.5, y + 0.5);
+      if (baked.distance[at] <= field.knownLength(centre, plan.direction)) continue;
+      const FlatHorizon found = flatHorizon(field, centre, plan.direction, plan.radius);
+      baked.horizon[at] = static_cast<float>(found.slope);
+      baked.distance[at] = static_cast<float>(found.distance);
+    }
+  }
+}
+
 }  // namespace
 
 void checkBake(const relief::HeightField& field, const BakeSettings& settings, double tableBytes) {
@@ -150,6 +168,7 @@ void bakeTiles(const relief::HeightField& field, const BakeSettings& settings, c
         baked.tile = strips[m].tile(strip, t);
         bakeTile(bake, baked.tile, search, TexelTile::width, baked.horizon.data(),
                  baked.distance.data());
+        endAtBorder(field, plans[m], baked);
         sink(baked);
         counted.advance();
       }

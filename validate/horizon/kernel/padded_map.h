@@ -13,11 +13,12 @@ namespace gnomon::horizon {
 /// lies at (marginX + i, marginY + j). Heights are height units above the middle of the map's
 /// range: floats are finest there.
 ///
-/// Past a border the first line of nodes holds what the wrap rule says, since the relief is known
-/// that far (`HeightField::knownLength`). All nodes beyond it lie 2¹² times the map's range below
-/// it: a ray falls there at once, so that no slope past the known relief exceeds the slope at its
-/// end, and rays need no ends of their own. That holds for directions that are at least 1e-3 from
-/// parallel to the border, or parallel to it, as with up to 1,500 azimuths all are.
+/// Past a border the first line of nodes holds what the wrap rule says: between it and the map's
+/// outermost nodes lies the border. All nodes beyond it lie 2¹² times the map's range below it: a
+/// ray falls there at once, so that no slope past that line exceeds the slope at it, and rays need
+/// no ends of their own. That holds for directions that are at least 1e-3 from parallel to the
+/// border, or parallel to it, as with up to 1,500 azimuths all are. The half texel past the border
+/// is too much: `bakeTiles` looks again at the rays whose horizon lies in it.
 ///
 /// Margins are ⌈D⌉ + 2 texels. An axis that repeats without a border never needs more than half its
 /// side: offsets are taken modulo the side (`offset`), so that the map does not grow with the
