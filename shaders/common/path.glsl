@@ -168,31 +168,30 @@ bool shadowedByOwnSlope(Path path) {
 // where the horizon is straight across the disc. So each half of the disc, left and right, gets a
 // march of its own, through the middle of its area, 4ρ / 3π beside the centre: a half's share over
 // a level horizon is the whole's, so that V = ½ (V₁ + V₂), right to first order where the horizon
-// is tilted. As far as the two are nowhere a quarter of a texel apart they are one, toward the
+// is tilted. As far as the two are nowhere a fifth of a texel apart they are one, toward the
 // centre.
 const float halfCentre = 0.42441318;  // 4 / 3π
 
-int marchesUpTo(float end) { return 2.0 * halfCentre * lightRadius * end > 0.25 ? 2 : 1; }
+// How far that is, texels.
+float parting() { return 0.2 / (2.0 * halfCentre * max(lightRadius, 1e-6)); }
 
-// The direction that one of these marches goes to: on the great circle through the disc's centre that is
-// level there. On it tan θ falls off to both sides as the horizon of a wall across the light does.
-vec3 marchedDirection(Pixel pixel, LocalLight light, int march, int marches) {
-  if (marches == 1) return lightDirection;
+// The direction to a half, 0 or 1: on the great circle through the disc's centre that is level there. On
+// it tan θ falls off to both sides as the horizon of a wall across the light does.
+vec3 halfDirection(Pixel pixel, LocalLight light, int side) {
   float size = max(dot(light.tangent, light.tangent), 1e-30);
-  vec3 side = cross(pixel.normal, light.tangent) * inversesqrt(size);
-  float off = (march == 0 ? halfCentre : -halfCentre) * lightRadius;
-  return normalize(lightDirection + off * side);
+  vec3 across = cross(pixel.normal, light.tangent) * inversesqrt(size);
+  float off = (side == 0 ? halfCentre : -halfCentre) * lightRadius;
+  return normalize(lightDirection + off * across);
 }
 
-LocalLight marchedLight(Pixel pixel, LocalLight light, int march, int marches) {
-  if (marches == 1) return light;
-  return makeLocalLight(pixel, marchedDirection(pixel, light, march, marches));
+LocalLight halfLight(Pixel pixel, LocalLight light, int side) {
+  return makeLocalLight(pixel, halfDirection(pixel, light, side));
 }
 
 // The path to it, from the one to the centre.
-Path marchedPath(Path path, LocalLight marched) {
-  path.direction = marched.direction;
-  path.worldPerTexel = marched.worldPerTexel;
+Path pathToward(Path path, LocalLight light) {
+  path.direction = light.direction;
+  path.worldPerTexel = light.worldPerTexel;
   path.border = knownDistance(path.start, path.direction, path.bend);
   return path;
 }
@@ -305,6 +304,24 @@ float horizonAtCrossings(Path path, inout Crossings at, float end, float lowest,
 
 bool shadowedAtCrossings(Path path, float end) {
   return shadowedAtCrossings(path, firstCrossings(path), end);
+}
+
+// V of a disc by its highest horizon, `lowest` or what the relief up to `end` raises it to.
+// @param path  to the disc's lowest ray
+float shareAtCrossings(Pixel pixel, LocalLight light, Path path, float end, float lowest) {
+  float enough = slopeTurned(light.slope, tan(lightRadius));
+  float together = min(end, parting());
+  Crossings at = firstCrossings(path);
+  float horizon = horizonAtCrossings(path, at, together, lowest, enough);
+  if (end <= together || horizon >= enough) return shareOver(light.slope, horizon);
+  float sum = 0.0;
+  for (int side = 0; side < 2; ++side) {
+    LocalLight to = halfLight(pixel, light, side);
+    Path way = pathToward(path, to);
+    Crossings on = crossingsFrom(way, together);
+    sum += shareOver(to.slope, horizonAtCrossings(way, on, end, horizon, enough));
+  }
+  return 0.5 * sum;
 }
 
 #endif

@@ -22,24 +22,12 @@ bool isShadowed(Pixel pixel, LocalLight light) {
 }
 
 // Of a disc the march follows the lowest ray, keeps the highest horizon that it meets, and ends where
-// that hides the highest ray; twice where the disc is wide (marchesUpTo).
+// that hides the highest ray.
 float visibility(Pixel pixel, LocalLight light) {
   Path path = makePath(pixel, lowestRay(light));
-  float enough = slopeTurned(light.slope, tan(lightRadius));
   float lowest = bareSlope(path);
   if (own_slope > 0.5) {
     lowest = max(lowest, osculatingHorizon(path.curvature, path.height, path.rise, 0.0));
   }
-  int marches = marchesUpTo(path.limit);
-  float sum = 0.0;
-  bool isDark = false;  // for both marches, by what hides the disc so near that they meet it together
-  for (int march = 0; march < marches && !isDark; ++march) {
-    LocalLight to = marchedLight(pixel, light, march, marches);
-    Path way = marchedPath(path, to);
-    Crossings at = firstCrossings(way);
-    float share = shareOver(to.slope, horizonAtCrossings(way, at, path.limit, lowest, enough));
-    isDark = share <= 0.0 && marchesUpTo(nextCrossing(at)) == 1;
-    sum += share;
-  }
-  return sum / float(marches);
+  return shareAtCrossings(pixel, light, path, path.limit, lowest);
 }

@@ -40,11 +40,13 @@ float candidateDistance(Path path, LocalLight light, int candidate) {
   return dot(texel + 0.5 - path.start, light.direction) + distance * cosine;
 }
 
+// How far the first crossings go, texels: the path crosses |e_x| columns and |e_y| rows a texel.
+float closeTo(Path path) { return crossings / (abs(path.direction.x) + abs(path.direction.y)); }
+
 bool isShadowed(Pixel pixel, LocalLight light) {
   Path path = makePath(pixel, light);
   if (shadowedByBareSurface(path)) return true;
-  // The path crosses |e_x| columns and |e_y| rows a texel.
-  float close = crossings / (abs(light.direction.x) + abs(light.direction.y));
+  float close = closeTo(path);
 
   // The first crossings, then those about each of the candidates. One loop within the other: a
   // software renderer runs the body of every loop at least once.
@@ -59,12 +61,11 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   }
 }
 
-// Of a disc the same places are asked for the highest horizon, along the one or two marches that
-// marchesUpTo says.
-float horizonOfPlaces(Path path, LocalLight light, float enough, out Crossings at) {
-  float horizon = bareSlope(path);
-  float close = crossings / (abs(path.direction.x) + abs(path.direction.y));
-  at = firstCrossings(path);
+// Of a disc the same places are asked for the highest horizon, from the crossing `start` on.
+float horizonOfPlaces(Path path, LocalLight light, float start, float lowest, float enough) {
+  float horizon = lowest;
+  float close = closeTo(path);
+  Crossings at = crossingsFrom(path, start);
   float end = min(path.limit, close);
   for (int candidate = 0;; ++candidate) {
     horizon = horizonAtCrossings(path, at, end, horizon, enough);
@@ -78,15 +79,17 @@ float horizonOfPlaces(Path path, LocalLight light, float enough, out Crossings a
 float visibility(Pixel pixel, LocalLight light) {
   Path path = makePath(pixel, lowestRay(light));
   float enough = slopeTurned(light.slope, tan(lightRadius));
-  int marches = marchesUpTo(path.limit);
+  // Near the pixel one march serves both halves of the disc, and on a short way all along.
+  float together = min(min(path.limit, closeTo(path)), parting());
+  Crossings at = firstCrossings(path);
+  float horizon = horizonAtCrossings(path, at, together, bareSlope(path), enough);
+  if (path.limit <= together || horizon >= enough) return shareOver(light.slope, horizon);
+  int marches = path.limit > parting() ? 2 : 1;
   float sum = 0.0;
-  bool isDark = false;  // for both marches, by what hides the disc so near that they meet it together
-  for (int march = 0; march < marches && !isDark; ++march) {
-    LocalLight to = marchedLight(pixel, light, march, marches);
-    Crossings at;
-    float share = shareOver(to.slope, horizonOfPlaces(marchedPath(path, to), to, enough, at));
-    isDark = share <= 0.0 && marchesUpTo(nextCrossing(at)) == 1;
-    sum += share;
+  for (int side = 0; side < marches; ++side) {
+    LocalLight to = light;
+    if (marches == 2) to = halfLight(pixel, light, side);
+    sum += shareOver(to.slope, horizonOfPlaces(pathToward(path, to), to, together, horizon, enough));
   }
   return sum / float(marches);
 }

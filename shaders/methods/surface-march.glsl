@@ -32,13 +32,12 @@ about = "longest part of the way between two of its places that are solved for, 
 bool isShadowed(Pixel pixel, LocalLight light) {
   if (!(dot(shadingNormal(pixel), lightDirection) > 0.0)) return true;
   float slope;
-  March march = marchToward(pixel, lightDirection, 0.0, slope);
+  March march = marchToward(pixel, lightDirection, slope);
   return march.horizon >= slope;
 }
 
 float visibility(Pixel pixel, LocalLight light) {
-  int marches = marchesUpTo(makePath(pixel, lowestRay(light)).limit);
   if (!(dot(shadingNormal(pixel), lightDirection) > -sin(lightRadius))) return 0.0;
-  March found;
-  return shareMarched(pixel, light, marches, found);
+  March march;
+  return shareMarched(pixel, light, march);
 }

@@ -93,7 +93,7 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   float cosine = dot(facet, lightDirection);
   if (!(cosine > 0.0)) return true;
   float slope;
-  March march = marchToward(pixel, lightDirection, 0.0, slope);
+  March march = marchToward(pixel, lightDirection, slope);
   if (march.horizon >= slope) return true;
   if (!march.isWhole) return isHiddenAtTwoScales(pixel, light, path, piece, facet, cosine);
   DepthPlace at = depthPlaceOf(pixel, light, path, piece, facet, cosine);
@@ -109,7 +109,7 @@ float visibility(Pixel pixel, LocalLight light) {
   float cosine = dot(facet, lightDirection);
   if (!(cosine > -sin(lightRadius))) return 0.0;
   March found;
-  float share = shareMarched(pixel, light, marchesUpTo(path.limit), found);
+  float share = shareMarched(pixel, light, found);
   if (share <= 0.0) return 0.0;
   if (!found.isWhole) return min(share, shareAtTwoScales(pixel, light, path, piece, facet, cosine));
   DepthPlace at = depthPlaceOf(pixel, light, path, piece, facet, cosine);

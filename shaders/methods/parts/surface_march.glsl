@@ -79,8 +79,8 @@ Surface surfaceAt(vec2 at) {
   float square = max(dot(c, c), 1e-30);
   vec2 rise = 0.5 * vec2(dot(there.pointX, there.columnX), dot(there.pointY, there.columnY)) / square;
   vec2 growth = vec2(dot(there.columnX, c), dot(there.columnY, c)) / square;  // of a, relative
-  vec2 change2 = vec2(dot(there.columnX, there.columnX), dot(there.columnY, there.columnY)) / square;
-  vec2 turn = 0.5 * (change2 - growth * growth);
+  vec2 changeSquared = vec2(dot(there.columnX, there.columnX), dot(there.columnY, there.columnY)) / square;
+  vec2 turn = 0.5 * (changeSquared - growth * growth);
   vec2 middle = f * (1.0 - f);
   vec2 change = 1.0 - 2.0 * f;
   there.point += dot(rise, middle) * c;
@@ -204,53 +204,68 @@ float slopeSeen(Ray ray, Leg leg, float place, float height) {
   return dot(seen, ray.up) / max(dot(seen, ray.along), 1e-30);
 }
 
-// What a march has found.
+// A march under way.
 struct March {
-  float horizon;  // the highest slope at which the relief is seen; -1e9 where there is none
+  vec3 at;        // x, y and η of the last place that was solved for
+  vec3 bend;      // half the change of the velocity, per texel
+  Surface there;
   float known;    // how far along the ray the relief was seen, world
-  bool isWhole;   // whether that is all the relief that the ray could meet
+  float rest;     // how far it has still to go, texels; 0 where it has seen all that the ray could meet
+  float horizon;  // the highest slope at which the relief is seen; -1e9 where there is none
+  bool isWhole;   // whether the maps tell all the relief that the ray could meet
 };
 
-// Along a ray, as far as a horizon that is `enough`.
-// @param start  x, y and η
-March marchAlong(Ray ray, Surface there, vec3 start, bool isConvex, float enough) {
+// The march from a pixel, before its first leg.
+March marchFrom(Pixel pixel, Surface there, float height, Ray ray) {
+  bool isConvex = normalCurvature(pixel, ray.along) >= 0.0;
+  vec3 bend = vec3(0.0, 0.0, isConvex ? 0.0 : -1e-20);
+  return March(vec3(pixel.texel, height), bend, there, 0.0, searchRadius, -1e9, true);
+}
+
+// Goes on along a ray until `rest` texels are left, or up to a horizon that is `enough`.
+void marchAlong(inout March march, Ray ray, float rest, float enough) {
   vec2 texelSize = 1.0 / mapSize;
-  March found = March(-1e9, 0.0, true);
-  vec3 at = start;
-  vec3 bend = vec3(0.0, 0.0, isConvex ? 0.0 : -1e-20);  // half the change of the velocity, per texel
-  float rest = searchRadius;                            // texels
   // More legs than any map is wide, for the case of numbers that are none.
-  for (int k = 0; k < 16384 && found.horizon < enough && rest > 1e-3; ++k) {
-    vec3 velocity = inMap(there, at.z, ray.toward);
+  for (int k = 0; k < 16384 && march.horizon < enough && march.rest > rest; ++k) {
+    vec3 at = march.at;
+    vec3 velocity = inMap(march.there, at.z, ray.toward);
     float texelsPerWorld = max(length(velocity.xy), 1e-30);
     velocity /= texelsPerWorld;
-    found.isWhole = isUnfolded(there) && dot(velocity, velocity) < 1e20;
+    march.isWhole = isUnfolded(march.there) && dot(velocity, velocity) < 1e20;
     bool isOver = at.z > heightBounds.y;
-    if (!found.isWhole || (isOver && velocity.z > 0.0 && bend.z >= 0.0)) break;
+    bool isAway = isOver && velocity.z > 0.0 && march.bend.z >= 0.0;
+    if (!march.isWhole || isAway) {
+      march.rest = 0.0;
+      break;
+    }
     // Over all bumps a leg may be longer; of one that leaves them the rest need not be looked at.
-    float border = knownDistance(at.xy, velocity.xy, bend.xy);
-    float longest = min(rest, border);
+    float border = knownDistance(at.xy, velocity.xy, march.bend.xy);
+    float longest = min(march.rest, border);
     float far = min(isOver ? 4.0 * leg : leg, longest);
     if (!isOver && velocity.z > 0.0) far = min(far, max((heightBounds.y - at.z) / velocity.z, 0.5));
 
-    float end = found.known + far / texelsPerWorld;
-    vec3 to = at + far * (velocity + far * bend);
+    float end = march.known + far / texelsPerWorld;
+    vec3 to = at + far * (velocity + far * march.bend);
     Surface next = surfaceAt(to.xy);
     vec3 off = inMap(next, to.z, ray.origin + end * ray.toward - next.point - to.z * next.column);
     // A guess misses by less than a texel, unless the map does not go on as the surface does.
-    found.isWhole = next.isKnown && dot(off.xy, off.xy) < 1.0 &&
-                    goesOn(next, there.pointX, there.pointY);
-    if (!found.isWhole) break;
+    march.isWhole = next.isKnown && dot(off.xy, off.xy) < 1.0 &&
+                    goesOn(next, march.there.pointX, march.there.pointY);
+    if (!march.isWhole) {
+      march.rest = 0.0;
+      break;
+    }
     to += off;
-    bend = (to - at - far * velocity) / (far * far);
+    march.bend = (to - at - far * velocity) / (far * far);
 
-    Leg way = Leg(at, velocity, bend, found.known, texelsPerWorld, far, there.column, next.column);
-    Path path = legPath(at.xy, velocity.xy, bend.xy);
+    Leg way = Leg(at, velocity, march.bend, march.known, texelsPerWorld, far, march.there.column,
+                  next.column);
+    Path path = legPath(at.xy, velocity.xy, march.bend.xy);
     Crossings crossings = firstCrossings(path);
     // A crossing between two legs belongs to one of them, however it is rounded.
-    float first = found.known > 0.0 ? 0.0 : 4e-3;  // nearer the relief has no slope in float
+    float first = march.known > 0.0 ? 0.0 : 4e-3;  // nearer the relief has no slope in float
     float last = isOver && to.z > heightBounds.y ? 0.0 : far + 2e-3;
-    for (float enter = nextCrossing(crossings); enter <= last && found.horizon < enough;
+    for (float enter = nextCrossing(crossings); enter <= last && march.horizon < enough;
          enter = nextCrossing(crossings)) {
       pass(crossings);
       float leave = nextCrossing(crossings);
@@ -260,50 +275,58 @@ March marchAlong(Ray ray, Surface there, vec3 start, bool isConvex, float enough
         float crossing = side == 0 ? enter : leave;
         float slope = slopeSeen(ray, way, ends.place[side], ends.height[side]);
         bool counts = crossing <= last && crossing > first;
-        found.horizon = counts ? max(found.horizon, slope) : found.horizon;
+        march.horizon = counts ? max(march.horizon, slope) : march.horizon;
       }
     }
     // A surface that rises to its border hides most there, past the last line of texel centres.
     if (far >= border && far > first) {
-      found.horizon = max(found.horizon, slopeSeen(ray, way, far, heightAt(to.xy)));
+      march.horizon = max(march.horizon, slopeSeen(ray, way, far, heightAt(to.xy)));
     }
-    found.known = end;
-    rest = far < longest ? rest - far : 0.0;
-    at = to;
-    there = next;
+    march.known = end;
+    march.rest = far < longest ? march.rest - far : 0.0;
+    march.at = to;
+    march.there = next;
   }
-  return found;
 }
 
-// Toward a light of the angular radius `width`, along its lowest ray, as far as what hides all of it;
-// and the slope of its centre.
-March marchToward(Pixel pixel, vec3 light, float width, out float slope) {
+const float noRest = 1e-3;  // texels
+
+// Toward a point of light; and its slope.
+March marchToward(Pixel pixel, vec3 light, out float slope) {
   Surface there = surfaceOf(pixel);
   float height = heightAt(pixel.texel);
-  Ray ray = rayToward(pixel, there, height, light, width, slope);
-  bool isConvex = normalCurvature(pixel, ray.along) >= 0.0;
-  float enough = slopeTurned(slope, tan(width));
-  return marchAlong(ray, there, vec3(pixel.texel, height), isConvex, enough);
+  Ray ray = rayToward(pixel, there, height, light, 0.0, slope);
+  March march = marchFrom(pixel, there, height, ray);
+  marchAlong(march, ray, noRest, slope);
+  return march;
 }
 
-// V of a disc: the march follows its lowest ray and keeps the highest horizon, twice where the disc is
-// wide, as geodesic-march does.
-// @param marches  how many are made; one is enough where what hides all of the disc is so near that the
-//                 other would meet it, too
-// @param found    the last of them, whole if all are
-float shareMarched(Pixel pixel, LocalLight light, int marches, out March found) {
-  float texelsPerWorld = 1.0 / (light.worldPerTexel * sqrt(1.0 + light.slope * light.slope));
-  float sum = 0.0;
-  bool isDark = false;
+// V of a disc: the march follows its lowest ray as far as what hides all of it, from where its halves
+// part one for each, as shareAtCrossings does.
+// @param march  the last of them, whole if all are
+float shareMarched(Pixel pixel, LocalLight light, out March march) {
+  Surface there = surfaceOf(pixel);
+  float height = heightAt(pixel.texel);
+  float slope;
+  Ray ray = rayToward(pixel, there, height, lightDirection, lightRadius, slope);
+  float enough = slopeTurned(slope, tan(lightRadius));
+  march = marchFrom(pixel, there, height, ray);
+  marchAlong(march, ray, max(searchRadius - parting(), noRest), enough);
+  if (march.rest <= noRest || march.horizon >= enough) return shareOver(slope, march.horizon);
+
+  March together = march;
   bool isWhole = true;
-  for (int march = 0; march < marches && !isDark; ++march) {
-    float slope;
-    found = marchToward(pixel, marchedDirection(pixel, light, march, marches), lightRadius, slope);
-    float share = shareOver(slope, found.horizon);
-    isDark = share <= 0.0 && marchesUpTo(found.known * texelsPerWorld) == 1;
-    isWhole = isWhole && found.isWhole;
-    sum += share;
+  float sum = 0.0;
+  for (int side = 0; side < 2; ++side) {
+    march = together;
+    vec3 toward = halfDirection(pixel, light, side);
+    Ray own = rayToward(pixel, there, height, toward, lightRadius, slope);
+    vec3 beside = march.known * (own.toward - ray.toward);
+    march.at += inMap(march.there, march.at.z, beside);
+    marchAlong(march, own, noRest, enough);
+    isWhole = isWhole && march.isWhole;
+    sum += shareOver(slope, march.horizon);
   }
-  found.isWhole = isWhole;
-  return sum / float(marches);
+  march.isWhole = isWhole;
+  return 0.5 * sum;
 }

@@ -114,10 +114,9 @@ bool isHiddenAtTwoScales(Pixel pixel, LocalLight light, Path path, float piece, 
   return !isLit && shareNearer(at.place, at.tilt) > 0.5;
 }
 
-// The march goes on as far as the farthest of all that hides some of the light. It keeps its highest
-// horizon, twice where the disc is wide (marchesUpTo). Where it knows the path to what hides the light,
-// its share is the answer. Elsewhere what either hides is at the lower side of the disc, mostly the
-// same: the smaller share is.
+// The march goes on as far as the farthest of all that hides some of the light. Where it knows the path
+// to what hides the light, its share is the answer. Elsewhere what either hides is at the lower side of
+// the disc, mostly the same: the smaller share is.
 // @param path  to the disc's lowest ray
 float shareAtTwoScales(Pixel pixel, LocalLight light, Path path, float piece, vec3 facet,
                        float cosine) {
@@ -127,19 +126,10 @@ float shareAtTwoScales(Pixel pixel, LocalLight light, Path path, float piece, ve
   float far = shareByDepth(at.place, at.tilt, reach * distances.x);
   Blockers seen = blockersAbout(at.place, at.tilt, outlineReach(piece));
   if (far <= 0.0 && seen.count == 5) return 0.0;
-  float enough = slopeTurned(light.slope, tan(lightRadius));
   float lean = leanOf(pixel, light, path);
   float past = max(distances.y, seen.most) * at.texelsPerDepth;
   float end = marchEnd(at, path, past, lean);
-  int marches = marchesUpTo(end);
-  float sum = 0.0;
-  for (int march = 0; march < marches; ++march) {
-    LocalLight to = marchedLight(pixel, light, march, marches);
-    Path way = marchedPath(path, to);
-    Crossings passed = firstCrossings(way);
-    sum += shareOver(to.slope, horizonAtCrossings(way, passed, end, bareSlope(path), enough));
-  }
-  float share = sum / float(marches);
+  float share = shareAtCrossings(pixel, light, path, end, bareSlope(path));
   float blocker = distances.x > 0.0 ? distances.x : seen.own;
   bool isKnown = isPathKnown(path, blocker * at.texelsPerDepth, at.off, lean);
   return isKnown ? share : min(far, share);
