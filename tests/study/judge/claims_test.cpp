@@ -35,7 +35,7 @@ TEST(Claims, HoldWhereSmallerEverywhereByMoreThanTheUncertainty) {
   EXPECT_EQ(record.verdict, Verdict::held);
   EXPECT_THAT(
       record.detail,
-      HasSubstr("error_rate of new smaller than of old: holds for all lights together; holds "
+      HasSubstr("error_rate of “new” less than that of “old”: holds for all lights together; holds "
                 "under 2 of 2 lights, fails under 0; "
                 "ratio 0.39 (0.38 to 0.40)"));
   EXPECT_THAT(record.detail, HasSubstr("mean difference 4.00 points"));
@@ -128,7 +128,7 @@ TEST(Claims, AreNotEvaluatedWithoutFigures) {
   for (ResultRecord& result : empty.results) result.counts = {};
   const ClaimRecord record = judgeClaim(newIsBetter(), {empty});
   EXPECT_EQ(record.verdict, Verdict::notEvaluated);
-  EXPECT_THAT(record.detail, HasSubstr("error_rate is not defined for new and old"));
+  EXPECT_THAT(record.detail, HasSubstr("error_rate is not defined for “new” and “old”"));
 }
 
 TEST(Claims, SpeakOfAnyMetric) {
@@ -145,7 +145,7 @@ TEST(Claims, SpeakOfTheirRegion) {
   const ClaimRecord record = judgeClaim(claim, {study("s", {{0.02, 0.05}}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::failed) << "there the other order holds";
   EXPECT_THAT(record.detail,
-              HasSubstr("than of old in the region cast: holds under 0 of 1 light, fails under 1"));
+              HasSubstr("than that of “old” in the region cast: holds under 0 of 1 light, fails under 1"));
 }
 
 TEST(Claims, TakeAllFlipsToLieInTheRegion) {
@@ -251,7 +251,7 @@ TEST(Claims, BetweenBoundsHoldWhereWithinEverywhere) {
       judgeClaim(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 1.03, 0.97}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::held);
   EXPECT_THAT(record.detail,
-              HasSubstr("shadow_length_ratio of new between 0.95 and 1.05: holds under "
+              HasSubstr("shadow_length_ratio of “new” between 0.95 and 1.05: holds under "
                         "3 of 3 lights, fails under 0; value 1.00 (0.97 to 1.03); "
                         "no interval exists for it"));
 }
@@ -287,7 +287,7 @@ TEST(Claims, MayHaveOneBoundAlone) {
             Verdict::failed);
   EXPECT_EQ(judgeClaim(newIsBetween({}, 1.05), {lengthStudy({1, 0}, 0.01)}).verdict, Verdict::held);
   EXPECT_THAT(judgeClaim(newIsBetween({}, 1.05), {lengthStudy({1, 2}, 0.01)}).detail,
-              HasSubstr("of new below 1.05: holds under 1 of 2 lights, fails under 1"));
+              HasSubstr("of “new” below 1.05: holds under 1 of 2 lights, fails under 1"));
 }
 
 TEST(Claims, SayWhereTheMetricIsNotDefined) {
@@ -302,7 +302,7 @@ TEST(Claims, SayWhereTheMetricIsNotDefined) {
   old.method = "old";
   EXPECT_EQ(judgeClaim(old, {record}).verdict, Verdict::notEvaluated);
   EXPECT_THAT(judgeClaim(old, {record}).detail,
-              HasSubstr("shadow_length_ratio is not defined for old"));
+              HasSubstr("shadow_length_ratio is not defined for “old”"));
 }
 
 TEST(Claims, AboutRatesBetweenBoundsGoByTheFlips) {

@@ -64,14 +64,10 @@ Html answerHtml(const study::StudyRecord& record, const std::vector<study::Ranke
     return html("No method answers in every {}, so none is ranked.", htmlTerm("case"));
   }
   const study::RankedMethod& best = ranked.front();
-  const std::string error = percentText(best.errorRate.value);
-  const Html how = study::isSoft(record) ? html("its {} is off by <b>{}&#8239;%</b>",
-                                                htmlTerm("visibility", "share of the light"), error)
-                                         : html("it is {} at <b>{}&#8239;%</b> of the {}",
-                                                htmlTerm("wrong"), error, htmlTerm("samples"));
   const Html text =
       html("Of {}, <b>{}</b> is closest to the {}: {}, {}.", plural(inAllCases, "method"),
-           best.label, htmlTerm("truth"), how, placesText(record));
+           best.label, htmlTerm("truth"), errorHtml(study::isSoft(record), best.errorRate.value),
+           placesText(record));
   if (!best.uncertainty) {
     return html("{} How uncertain the truth itself is was not measured.", text);
   }
@@ -131,6 +127,14 @@ Html figuresHtml(const study::StudyRecord& record, const std::vector<study::Rank
 }
 
 }  // namespace
+
+Html errorHtml(bool isSoft, std::optional<double> errorRate) {
+  const std::string error = percentText(errorRate);
+  return isSoft ? html("its {} is off by <b>{}&#8239;%</b>",
+                       htmlTerm("visibility", "share of the light"), error)
+                : html("it is {} at <b>{}&#8239;%</b> of the {}", htmlTerm("wrong"), error,
+                       htmlTerm("samples"));
+}
 
 std::vector<OpeningFigure> openingFigures(const study::StudyRecord& record,
                                           const std::vector<study::RankedMethod>& ranked) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace gnomon::report {
 /// How a study's page opens: its title, the question, the answer in a sentence or two, whether it
 /// passed, and the pictures of `openingFigures`.
 Html openingHtml(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked);
+
+/// "it is wrong at 1.2 % of the samples", or of a soft light "its share of the light is off by 1.2
+/// %".
+Html errorHtml(bool isSoft, std::optional<double> errorRate);
 
 /// A picture of the opening.
 struct OpeningFigure {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "report/page/html_page.h"
+#include "report/page/opening_html.h"
 #include "report/page/reference_html.h"
 #include "report/plots/sweep_plots.h"
 #include "report/tables/formats/html_format.h"
@@ -14,6 +15,8 @@
 #include "report/tables/means_table.h"
 #include "report/tables/sweep_tables.h"
 #include "report/text/number_text.h"
+#include "report/text/terms_html.h"
+#include "study/judge/study_means.h"
 #include "study/judge/study_ranking.h"
 
 namespace gnomon::report {
@@ -29,14 +32,29 @@ Html sweepStatus(const study::SweepRecord& sweep) {
   return statusHtml(sweep.status(), judgements, problems, "over all values");
 }
 
+/// Which method is closest to the truth over all cases, and how close; of those that have them all.
+Html sweepAnswer(const study::SweepRecord& sweep) {
+  std::vector<ErrorSpread> spreads = errorSpreads(sweep);
+  std::erase_if(spreads, [&](const auto& spread) { return spread.cases < sweep.cases.size(); });
+  const auto best = std::min_element(spreads.begin(), spreads.end(),
+                                     [](const auto& a, const auto& b) { return a.mean < b.mean; });
+  if (best == spreads.end()) return {};
+  return html(
+      "<p class=\"lead\">Of {}, <b>{}</b> is closest to the {}: {} on average, from {} to "
+      "{}&#8239;%.</p>\n",
+      plural(spreads.size(), "method"), best->method, htmlTerm("truth"),
+      errorHtml(study::isSoft(sweep), best->mean), percentText(best->least),
+      percentText(best->largest));
+}
+
 Html sweepHeader(const study::SweepRecord& sweep) {
   return html(
       "<h1>{}</h1>\n<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n"
-      "<p class=\"lead\">One study {} of <code>{}</code>.</p>\n{}",
+      "<p class=\"lead\">One study {} of <code>{}</code>.</p>\n{}{}",
       sweep.heading(), sweep.source, sweepStatus(sweep),
       sweep.keys.size() == 1 ? "at " + plural(sweep.cases.size(), "value")
                              : "in " + plural(sweep.cases.size(), "case"),
-      study::keysText(sweep.keys), htmlNotices(sweep.notices()));
+      study::keysText(sweep.keys), sweepAnswer(sweep), htmlNotices(sweep.notices()));
 }
 
 /// What kept a check from judging the values, and where the references that do not hold are.

@@ -66,6 +66,28 @@ Table sweepCasesTable(const study::SweepRecord& sweep) {
   return table;
 }
 
+std::vector<ErrorSpread> errorSpreads(const study::SweepRecord& sweep) {
+  std::vector<ErrorSpread> spreads;
+  const std::vector<study::StudyMeans> steps = stepMeans(sweep);
+  for (const std::string& label : study::labelsOf(steps)) {
+    const std::vector<std::optional<double>> errors = errorsOf(steps, label);
+    std::vector<std::optional<double>> defined;
+    std::copy_if(errors.begin(), errors.end(), std::back_inserter(defined),
+                 [](const auto& error) { return error.has_value(); });
+    ErrorSpread spread{.method = label, .cases = defined.size()};
+    if (!defined.empty()) {
+      // A case without a value is the least of all by std::optional's order.
+      const auto largest = std::max_element(errors.begin(), errors.end());
+      spread.mean = study::meanOf(defined);
+      spread.least = *std::min_element(defined.begin(), defined.end());
+      spread.largest = *largest;
+      spread.largestAt = static_cast<std::size_t>(largest - errors.begin());
+    }
+    spreads.push_back(spread);
+  }
+  return spreads;
+}
+
 Table sweepSpreadTable(const study::SweepRecord& sweep) {
   Table table{.kind = "regions",
               .label = sweep.name,
@@ -77,21 +99,11 @@ Table sweepSpreadTable(const study::SweepRecord& sweep) {
                           {"Largest", "largest", Quantity::percent},
                           {"Largest at", "largest_at", Quantity::text},
                           {"Cases", "cases", Quantity::count}}};
-  const std::vector<study::StudyMeans> steps = stepMeans(sweep);
-  for (const std::string& label : study::labelsOf(steps)) {
-    const std::vector<std::optional<double>> errors = errorsOf(steps, label);
-    std::vector<std::optional<double>> defined;
-    std::copy_if(errors.begin(), errors.end(), std::back_inserter(defined),
-                 [](const auto& error) { return error.has_value(); });
-    // A case without a value is the least of all by std::optional's order.
-    const auto largest = std::max_element(errors.begin(), errors.end());
-    const auto least = std::min_element(defined.begin(), defined.end());
-    const bool isAny = !defined.empty();
-    const auto at = static_cast<std::size_t>(largest - errors.begin());
-    table.rows.push_back(
-        {{textCell(label), valueCell(study::meanOf(defined)),
-          valueCell(isAny ? *least : std::nullopt), valueCell(isAny ? *largest : std::nullopt),
-          textCell(isAny ? sweep.cases.at(at).name : "–"), countCell(defined.size())}});
+  for (const ErrorSpread& spread : errorSpreads(sweep)) {
+    table.rows.push_back({{textCell(spread.method), valueCell(spread.mean), valueCell(spread.least),
+                           valueCell(spread.largest),
+                           textCell(spread.mean ? sweep.cases.at(spread.largestAt).name : "–"),
+                           countCell(spread.cases)}});
   }
   return table;
 }

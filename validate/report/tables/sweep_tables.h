@@ -1,5 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "report/tables/formats/latex_format.h"
 #include "report/tables/table.h"
 #include "study/record/sweep_record.h"
@@ -11,6 +16,17 @@ namespace gnomon::report {
 /// cases too, which lead to their reports. A mean over fewer views and lights than others of its
 /// row has a star.
 Table sweepCasesTable(const study::SweepRecord& sweep);
+
+/// What a method's mean error rates over lights and views are over the cases of a sweep, shares.
+struct ErrorSpread {
+  std::string method;
+  std::optional<double> mean, least, largest;  ///< none where no case has an error rate
+  std::size_t largestAt = 0;                   ///< the case, of all
+  std::size_t cases = 0;                       ///< that have an error rate
+};
+
+/// Of every method, in the study's order.
+std::vector<ErrorSpread> errorSpreads(const study::SweepRecord& sweep);
 
 /// What the methods' mean error rates over lights and views are over all cases: their mean, the
 /// least, the largest and where that is.

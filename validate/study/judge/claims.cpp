@@ -27,13 +27,13 @@ std::string boundsText(const ClaimSpec& claim) {
 /// What is claimed of two methods or of one, and over which cases it was judged.
 std::string detailOf(const ClaimSpec& claim, const ClaimCases& cases, const ClaimSpread& spread) {
   if (claim.method.empty()) {
-    return fmt::format("{} of {} smaller than of {}{}: {}; mean difference {}{}", claim.metric,
-                       claim.less, claim.than, regionText(claim), spreadText(spread),
+    return fmt::format("{} of “{}” less than that of “{}”{}: {}; mean difference {}{}",
+                       claim.metric, claim.less, claim.than, regionText(claim), spreadText(spread),
                        differenceText(claim.metric, meanValue(cases.defined)), intervalNote(claim));
   }
   const std::string left =
       cases.undefined == 0 ? "" : fmt::format(", not defined in {} more", cases.undefined);
-  return fmt::format("{} of {}{} {}: {}{}{}", claim.metric, claim.method, regionText(claim),
+  return fmt::format("{} of “{}”{} {}: {}{}{}", claim.metric, claim.method, regionText(claim),
                      boundsText(claim), spreadText(spread), left, intervalNote(claim));
 }
 
@@ -41,8 +41,9 @@ ClaimRecord judge(const ClaimSpec& claim, std::span<const StudyRecord> run, std:
   if (claim.gainGrows) return notEvaluated(claim, "judged over the values of the sweep");
   const ClaimCases cases = casesOf(claim, run[own]);
   if (cases.defined.empty()) {
-    const std::string methods =
-        claim.method.empty() ? claim.less + " and " + claim.than : claim.method;
+    const std::string methods = claim.method.empty()
+                                    ? fmt::format("“{}” and “{}”", claim.less, claim.than)
+                                    : fmt::format("“{}”", claim.method);
     return notEvaluated(claim, fmt::format("{} is not defined for {}", claim.metric, methods));
   }
   if (!claim.gainExceeds.empty()) return judgeGain(claim, run[own], run);
