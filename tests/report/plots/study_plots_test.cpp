@@ -27,7 +27,8 @@ study::StudyRecord plottedRecord() {
   study::StudyRecord made = test::sampleRecord();
   made.bins = {bin("best", "camera", {}, 0, 5, 100),    bin("best", "camera", 0, 10, 20, 200),
                bin("best", "camera", 20, {}, 7, 700),   bin("close", "camera", 0, 10, 50, 200),
-               bin("close", "camera", 20, {}, 70, 700), bin("best", "atlas", 0, 10, 1, 10)};
+               bin("close", "camera", 20, {}, 70, 700), bin("best", "atlas", 0, 10, 1, 10),
+               bin("best", "atlas", 10, 20, 1, 10)};
   return made;
 }
 
@@ -76,6 +77,15 @@ TEST(BinPlot, NamesTheViewsOfAnAxis) {
   EXPECT_THAT(binAxes(plottedRecord()), ElementsAre("elevation"));
   EXPECT_THAT(binViews(plottedRecord(), "elevation"), ElementsAre("camera", "atlas"));
   EXPECT_TRUE(binViews(plottedRecord(), "nosuch").empty());
+}
+
+/// On a plane all samples have one curvature.
+TEST(BinPlot, OfOneBinThereIsNone) {
+  study::StudyRecord record = plottedRecord();
+  std::erase_if(record.bins, [&](const study::BinRecord& each) {
+    return each.view == "camera" && each.low != record.bins.front().low;
+  });
+  EXPECT_THAT(binViews(record, "elevation"), ElementsAre("atlas"));
 }
 
 TEST(StudyPlots, AreNamedApartAndDrawn) {

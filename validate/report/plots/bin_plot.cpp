@@ -225,6 +225,9 @@ std::vector<std::string> binViews(const study::StudyRecord& record, std::string_
   for (const study::BinRecord& bin : record.bins) {
     if (bin.axis == axis && bin.light == study::allLights) appendOnce(views, bin.view);
   }
+  std::erase_if(views, [&](const std::string& view) {
+    return endsOf(binsOf(record, axis, view)).size() < 2;
+  });
   return views;
 }
 

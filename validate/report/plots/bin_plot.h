@@ -12,8 +12,8 @@ namespace gnomon::report {
 /// "elevation of the light, degrees", or the name of an axis that is not known here.
 std::string axisTitle(std::string_view axis);
 
-/// The views of a record that have bins on an axis, and the axes that have bins, in the record's
-/// order.
+/// The axes of a record that have bins, and the views that have several on an axis, in the record's
+/// order: of one bin, as of the curvature of a plane, there is no curve to draw.
 std::vector<std::string> binAxes(const study::StudyRecord& record);
 std::vector<std::string> binViews(const study::StudyRecord& record, std::string_view axis);
 
