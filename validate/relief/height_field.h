@@ -35,10 +35,10 @@ class HeightField {
   /// @throws InternalError if the position is not finite
   [[nodiscard]] double at(Vec2 texelPosition) const;
 
-  /// How far along a ray the relief is known, texels, at least 0: as far as the border, half a texel
-  /// past the outermost texel centres; without end where no border lies ahead. What the wrap rule
-  /// puts there casts no shadow, since there is no surface. The rule holds for all methods: they
-  /// search tables and march height maps up to this length (`knownDistance` in relief.glsl).
+  /// How far along a ray the relief is known, texels, at least 0: as far as the border, half a
+  /// texel past the outermost texel centres; without end where no border lies ahead. What the wrap
+  /// rule puts there casts no shadow, since there is no surface. The rule holds for all methods:
+  /// they search tables and march height maps up to this length (`knownDistance` in relief.glsl).
   /// @param direction  unit
   [[nodiscard]] double knownLength(Vec2 texelPosition, Vec2 direction) const;
 

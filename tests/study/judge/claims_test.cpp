@@ -144,8 +144,9 @@ TEST(Claims, SpeakOfTheirRegion) {
   claim.region = "cast";
   const ClaimRecord record = judgeClaim(claim, {study("s", {{0.02, 0.05}}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::failed) << "there the other order holds";
-  EXPECT_THAT(record.detail,
-              HasSubstr("than that of “old” in the region cast: holds under 0 of 1 light, fails under 1"));
+  EXPECT_THAT(
+      record.detail,
+      HasSubstr("than that of “old” in the region cast: holds under 0 of 1 light, fails under 1"));
 }
 
 TEST(Claims, TakeAllFlipsToLieInTheRegion) {

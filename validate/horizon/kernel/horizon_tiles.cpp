@@ -109,14 +109,15 @@ struct BakeScratch {
   HorizonTile baked;
 };
 
-/// Ends rays at the border of the relief: those whose horizon lies past it, where the padded map goes
-/// on for half a texel, are searched again. They are few.
+/// Ends rays at the border of the relief: those whose horizon lies past it, where the padded map
+/// goes on for half a texel, are searched again. They are few.
 void endAtBorder(const relief::HeightField& field, const AzimuthPlan& plan, HorizonTile& baked) {
   if (!field.border().x && !field.border().y) return;
   const TexelTile& tile = baked.tile;
   for (int y = tile.bottom; y < tile.top; ++y) {
     for (int x = tile.left; x < tile.right; ++x) {
-      const auto at = static_cast<std::size_t>((y - tile.bottom) * TexelTile::width + x - tile.left);
+      const auto at =
+          static_cast<std::size_t>((y - tile.bottom) * TexelTile::width + x - tile.left);
       const Vec2 centre(x + 0.5, y + 0.5);
       if (baked.distance[at] <= field.knownLength(centre, plan.direction)) continue;
       const FlatHorizon found = flatHorizon(field, centre, plan.direction, plan.radius);
