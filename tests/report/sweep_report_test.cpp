@@ -363,6 +363,20 @@ TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
   }
 }
 
+TEST(SweepHtml, OpensWithTheMethodThatIsClosestOverAllValues) {
+  study::SweepRecord sweep = sampleSweep();
+  const std::vector<DrawnPlot> plots = {{{}, "<svg/>"}};
+  const std::string all = sweepHtml(sweep, plots).text();
+  EXPECT_THAT(all, HasSubstr("Of 2 methods, <b>curved</b> is closest to the "));
+  EXPECT_THAT(all, HasSubstr("<b>1.67&#8239;%</b>"));
+  EXPECT_THAT(all, HasSubstr("on average, from 1.00 to 3.00&#8239;%."));
+  // What has no result at a value is not named.
+  sweep.steps[1] = step({{"flat", 40}}, 0.001);
+  EXPECT_THAT(sweepHtml(sweep, plots).text(), HasSubstr("Of 1 method, <b>flat</b> is closest"));
+  for (study::StudyRecord& each : sweep.steps) each = step({}, 0.001);
+  EXPECT_THAT(sweepHtml(sweep, plots).text(), Not(HasSubstr("is closest")));
+}
+
 // ---- terminal
 
 TEST(SweepTable, HasAColumnAValue) {

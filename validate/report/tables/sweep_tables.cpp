@@ -74,7 +74,9 @@ std::vector<ErrorSpread> errorSpreads(const study::SweepRecord& sweep) {
     std::vector<std::optional<double>> defined;
     std::copy_if(errors.begin(), errors.end(), std::back_inserter(defined),
                  [](const auto& error) { return error.has_value(); });
-    ErrorSpread spread{.method = label, .cases = defined.size()};
+    ErrorSpread spread;
+    spread.method = label;
+    spread.cases = defined.size();
     if (!defined.empty()) {
       // A case without a value is the least of all by std::optional's order.
       const auto largest = std::max_element(errors.begin(), errors.end());
