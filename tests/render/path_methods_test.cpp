@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::difference;
-using test::flatRelief;
 using test::lightToward;
 using test::openBowl;
 using test::randomRelief;
