@@ -65,7 +65,7 @@ TEST_F(Paper, TypesetsThePageOfTheManual) {
 /// Labels are text, in the table, in the macros and in the figures.
 TEST_F(Paper, TypesetsLabelsAsTheyAre) {
   const std::string label = R"(50 % of {a}_b & $x^2$ ~ # \\input{/etc/hostname} \"|<>)";
-  const std::string study = smallStudy() + "label = \"" + label +
+  const std::string study = onSphere(smallStudy()) + "label = \"" + label +
                             "\"\n[[method]]\nname = \"relief-march\"\nlabel = \"" +
                             std::string(60, 'm') + "\"\n";
   runStudy("small", study, {"--figures", "column", "--set", "study.frames=0"});

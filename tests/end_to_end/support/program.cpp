@@ -236,4 +236,9 @@ name = "max-forsyth"
 )";
 }
 
+std::string onSphere(const std::string& study) {
+  return replaced(replaced(study, "shape = \"plane\"", "shape = \"sphere\"\ncurvature = 0.02"),
+                  "quads = [4, 4]", "quads = [16, 16]");
+}
+
 }  // namespace gnomon::test
