@@ -93,7 +93,8 @@ nlohmann::json lastingPart(nlohmann::json summary);
 /// A study of a second's quarter: columns on a plane, one light, one camera.
 std::string smallStudy();
 
-/// The same study on a part of a sphere, where curvature and elevation differ from sample to sample.
+/// The same study on a part of a sphere, where curvature and elevation differ from sample to
+/// sample.
 std::string onSphere(const std::string& study);
 
 }  // namespace gnomon::test
