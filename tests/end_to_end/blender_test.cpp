@@ -22,10 +22,11 @@ class Blender : public EndToEnd {
   }
   /// Runs the script on an export; its masks are in `back`.
   [[nodiscard]] int blender(const std::string& exported) const {
-    return endOf(startCommand(folder(),
-                              {"blender", "-b", "--factory-startup", "-P",
-                               GNOMON_DOCS "/blender.py", "--", exported, "back", "--pictures"},
-                              {}, file("out.txt"), file("err.txt")));
+    const std::string script = GNOMON_DOCS "/blender.py";
+    return endOf(startCommand(
+        folder(),
+        {"blender", "-b", "--factory-startup", "-P", script, "--", exported, "back", "--pictures"},
+        {}, file("out.txt"), file("err.txt")));
   }
   [[nodiscard]] nlohmann::json compared(const std::string& mine, const std::string& truth) const {
     const Outcome outcome = gnomon({"compare", mine, truth, "--json", "-"});
