@@ -3,11 +3,6 @@ title = "Micro shadow from ambient occlusion"
 citation = "Naughty Dog 2016 (Uncharted 4)"
 family = "engine"
 symbol = "square"
-tables = ["height", "horizon"]
-
-[bakes.openness]
-bits = 8
-about = "share of the sky that a texel sees, weighted by the cosine to its normal: an ambient occlusion map"
 */
 
 // As ao-shadow, by a straight line in place of a cone: with the aperture 2 A², the square of the

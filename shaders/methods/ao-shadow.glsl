@@ -3,11 +3,6 @@ title = "Shadow from ambient occlusion, a cone of light"
 citation = "Chan 2018, as in Filament"
 family = "engine"
 symbol = "circle"
-tables = ["height", "horizon"]
-
-[bakes.openness]
-bits = 8
-about = "share of the sky that a texel sees, weighted by the cosine to its normal: an ambient occlusion map"
 */
 
 // An ambient occlusion map says how much of the sky a point sees, and not where. Taken as a cone about

@@ -3,14 +3,7 @@ title = "Shadow map of the undisplaced mesh, and the relief marched"
 citation = "as games with parallax mapping do"
 family = "displaced"
 symbol = "triangle"
-tables = ["height"]
 passes = ["light-depth"]
-
-[parameters.steps]
-default = 64
-minimum = 1
-maximum = 4096
-about = "samples of the height map on the way to the light"
 
 [parameters.depth_side]
 default = 2048

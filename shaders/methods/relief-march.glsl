@@ -3,13 +3,6 @@ title = "Height map marched toward the light"
 citation = "as engines do, after Tatarchuk 2006"
 family = "march"
 symbol = "circle"
-tables = ["height"]
-
-[parameters.steps]
-default = 64
-minimum = 1
-maximum = 4096
-about = "samples of the height map on the way to the light"
 */
 
 // What engines ship: the ray to the light over the flat relief, sampled at even steps until it has

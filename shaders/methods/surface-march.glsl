@@ -3,27 +3,8 @@ title = "Height map marched under the ray, over maps of the surface"
 citation = "this project"
 family = "ours"
 symbol = "pentagon"
-tables = ["height"]
 subdivisions = 4
 normal = "own"
-
-[[pass]]
-name = "point"
-kind = "texture"
-channels = 3
-about = "P, world"
-
-[[pass]]
-name = "column"
-kind = "texture"
-channels = 3
-about = "a n, world: what a height unit adds to P"
-
-[parameters.leg]
-default = 2
-minimum = 0.25
-maximum = 16
-about = "longest part of the way between two of its places that are solved for, texels"
 */
 
 #include "parts/surface_point.glsl"

@@ -3,77 +3,9 @@ title = "Two scales, the near one marched over maps of the surface"
 citation = "this project"
 family = "ours"
 symbol = "diamond"
-tables = ["height"]
-passes = ["light-depth"]
 subdivisions = 4
 light_mesh = "displaced"
 normal = "own"
-
-[[pass]]
-name = "point"
-kind = "texture"
-channels = 3
-about = "P, world"
-
-[[pass]]
-name = "column"
-kind = "texture"
-channels = 3
-about = "a n, world: what a height unit adds to P"
-
-[parameters.leg]
-default = 2
-minimum = 0.25
-maximum = 16
-about = "longest part of the way between two of its places that are solved for, texels"
-
-[parameters.light_pieces]
-default = 9
-minimum = 1
-maximum = 1024
-about = "pieces of every face's side of the displaced mesh that the light sees"
-
-[parameters.depth_side]
-default = 2048
-minimum = 16
-maximum = 8192
-about = "texels a side of the depth map, which holds the whole surface"
-
-[parameters.bias]
-default = 1
-minimum = 0
-maximum = 64
-about = "how far places on the displaced mesh may be off, texels of the depth map, beside piece_bias"
-
-[parameters.piece_bias]
-default = 0.5
-minimum = 0
-maximum = 16
-about = "the same, pieces of the displaced mesh; the depth map hides what is nearer"
-
-[parameters.edge]
-default = 0.25
-minimum = 0
-maximum = 16
-about = "how far from the outlines of its shadows the depth map asks the march, pieces; a texel at least"
-
-[parameters.trust]
-default = 0.03
-minimum = 0
-maximum = 1
-about = "the march overrules the depth map where its path errs less than this part of what the map may be off"
-
-[parameters.search_samples]
-default = 24
-minimum = 1
-maximum = 1024
-about = "soft light: texels of the depth map that are asked for what hides some of the light"
-
-[parameters.filter_samples]
-default = 16
-minimum = 1
-maximum = 1024
-about = "soft light: texels of the depth map that the share is taken of"
 */
 
 // surface-march sees all of the relief that a ray can meet, unless the maps end before: at a chart's

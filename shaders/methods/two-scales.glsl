@@ -3,59 +3,9 @@ title = "Two scales: the relief marched nearby, the body's depth from the light"
 citation = "this project"
 family = "ours"
 symbol = "triangle"
-tables = ["height"]
-passes = ["light-depth"]
 subdivisions = 4
 light_mesh = "displaced"
 normal = "own"
-
-[parameters.light_pieces]
-default = 9
-minimum = 1
-maximum = 1024
-about = "pieces of every face's side of the displaced mesh that the light sees"
-
-[parameters.depth_side]
-default = 2048
-minimum = 16
-maximum = 8192
-about = "texels a side of the depth map, which holds the whole surface"
-
-[parameters.bias]
-default = 1
-minimum = 0
-maximum = 64
-about = "how far places on the displaced mesh may be off, texels of the depth map, beside piece_bias"
-
-[parameters.piece_bias]
-default = 0.5
-minimum = 0
-maximum = 16
-about = "the same, pieces of the displaced mesh; the depth map hides, and the march sees, what is nearer"
-
-[parameters.edge]
-default = 0.25
-minimum = 0
-maximum = 16
-about = "how far from the outlines of its shadows the depth map asks the march, pieces; a texel at least"
-
-[parameters.trust]
-default = 0.03
-minimum = 0
-maximum = 1
-about = "the march overrules the depth map where its path errs less than this part of what the map may be off"
-
-[parameters.search_samples]
-default = 24
-minimum = 1
-maximum = 1024
-about = "soft light: texels of the depth map that are asked for what hides some of the light"
-
-[parameters.filter_samples]
-default = 16
-minimum = 1
-maximum = 1024
-about = "soft light: texels of the depth map that the share is taken of"
 */
 
 #include "parts/surface_point.glsl"

@@ -121,6 +121,60 @@ TEST_F(MethodFiles, ThatCannotBeIncludedAreNamedWithFileAndLine) {
               HasSubstr("at most 32 files of 262 kB in all expected"));
 }
 
+/// What a method needs together with the files that it includes.
+TEST_F(MethodFiles, DeclareWhatTheirFunctionsNeed) {
+  const GlContext gl;
+  const std::string range = "\nminimum = 0\nmaximum = 9\n";
+  const auto pass = [](const std::string& name) {
+    return "[[pass]]\nname = \"" + name + "\"\nkind = \"texture\"\nchannels = 1\n";
+  };
+  write("one.glsl", "/* gnomon-part\ntables = [\"height\"]\n" + pass("one") +
+                        "[parameters.size]\ndefault = 2" + range +
+                        "[parameters.reach]\ndefault = 5" + range + "*/\n#include \"two.glsl\"\n" +
+                        "float passOne(Pixel pixel) { return heightAt(pixel.texel) + 7.0; }\n");
+  write("two.glsl",
+        "/* gnomon-part\ntables = [\"height\", \"horizon\"]\n"
+        "[parameters.reach]\ndefault = 6" +
+            range + "*/\n");
+  write("plain.glsl", "// No declaration.\n");
+  const std::string code =
+      "#include \"plain.glsl\"\n#include \"one.glsl\"\n"
+      "float passMine(Pixel pixel) { return oneTexel(ivec2(pixel.texel)) + size; }\n"
+      "bool wrong(Pixel pixel) { return mineTexel(ivec2(pixel.texel)) != 7.0 + 3.0; }\n" +
+      asksWrong;
+  const Method own = method(pass("mine") + "[parameters.size]\ndefault = 3" + range, code);
+  EXPECT_TRUE(own.tables.height && own.tables.horizon && !own.tables.distance);
+  ASSERT_EQ(own.passes.own.size(), 2U);
+  EXPECT_EQ(own.passes.own[0].name, "one");  // an included file's come first
+  EXPECT_EQ(own.passes.own[1].name, "mine");
+  EXPECT_EQ(own.parameters.at("size").defaultValue, 3);   // the method's own
+  EXPECT_EQ(own.parameters.at("reach").defaultValue, 5);  // of the first of two files
+  EXPECT_EQ(shareWrong(flatPlane(), own), 0);
+  EXPECT_EQ(shareWrong(flatPlane(), own, {{"size", 4}}), 1);
+}
+
+TEST_F(MethodFiles, FaultsInTheirDeclarationsNameTheirOwnLines) {
+  const std::vector<std::pair<std::string, std::string>> faults = {
+      {"title = \"T\"", "one.glsl:2: unknown key `title`, expected tables, passes, pass, bakes"},
+      {"tables = 3", "one.glsl:2: `tables`: a list expected"},
+      {"\ntables = [\"hight\"]", "one.glsl:3: table `hight`, expected height, "},
+      {"parameters = 3", "one.glsl:2: `parameters`: a table expected"},
+      {"[parameters.k]\ndefault = 3", "one.glsl:2: `minimum` is missing"},
+      {"[[pass]]\nname = \"P\"", "one.glsl:3: pass `P`: a name of at most"},
+      {"[[pass]]\nname = \"mine\"\nkind = \"texture\"", "mine.glsl:5: a second pass `mine`"},
+      {"[bakes.b]\nbits = 3", "one.glsl:3: `bits`"},
+      {"tables = [", "one.glsl:2: "},
+  };
+  for (const auto& [lines, expected] : faults) {
+    write("one.glsl", "/* gnomon-part\n" + lines + "\n*/\n");
+    EXPECT_THAT(
+        errorOf("[[pass]]\nname = \"mine\"\nkind = \"texture\"",
+                "#include \"one.glsl\"\nfloat passMine(Pixel pixel) { return 1.0; }\n" + asksWrong),
+        HasSubstr(expected))
+        << lines;
+  }
+}
+
 TEST_F(MethodFiles, PicturesAreReadByTheirTexels) {
   const GlContext gl;
   image::Image picture{4, 2, {}};

@@ -15,28 +15,97 @@
 
 namespace gnomon::render {
 
-Declaration::Declaration(std::string file, std::string_view text) : file_(std::move(file)) {
-  constexpr std::string_view opening = "/* gnomon-method";
-  const std::size_t begin = text.find(opening);
+namespace {
+
+/// What the first comment of a file declares, if it opens with the word.
+std::optional<toml::table> declaredIn(const ShaderPiece& piece, std::string_view word) {
+  const std::string opening = fmt::format("/* {}", word);
+  const std::string_view text = piece.text;
   const std::size_t end = text.find("*/");
-  if (begin != 0 || end == std::string_view::npos) {
-    throw InputError(fmt::format("{}:1: a comment `{} … */` with the method's declaration expected",
-                                 file_, opening));
-  }
+  if (!text.starts_with(opening) || end == std::string_view::npos) return std::nullopt;
   // The comment's opening takes the first line, so that TOML's line k is the file's line k.
   const std::string declared =
       std::string(opening.size(), ' ').append(text.substr(opening.size(), end - opening.size()));
-  requireShallowToml(file_, declared);
+  requireShallowToml(piece.file, declared);
   try {
-    table_ = toml::parse(declared);
+    return toml::parse(declared, piece.file);
   } catch (const toml::parse_error& error) {
-    throw InputError(
-        fmt::format("{}:{}: {}", file_, error.source().begin.line, oneLine(error.description())));
+    throw InputError(fmt::format("{}:{}: {}", piece.file, error.source().begin.line,
+                                 oneLine(error.description())));
+  }
+}
+
+/// Moves the nodes of a list behind those of another; of equal texts the first stays.
+void join(toml::array& joined, toml::array& more) {
+  for (toml::node& node : more) {
+    const auto text = node.value<std::string_view>();
+    const bool isThere =
+        text && std::any_of(joined.begin(), joined.end(), [&](const toml::node& other) {
+          return other.value<std::string_view>() == text;
+        });
+    if (!isThere) node.visit([&](auto& value) { joined.push_back(std::move(value)); });
+  }
+}
+
+}  // namespace
+
+Declaration::Declaration(const ShaderPiece& method, const std::vector<ShaderPiece>& includes)
+    : file_(method.file) {
+  constexpr std::string_view word = "gnomon-method";
+  std::optional<toml::table> own = declaredIn(method, word);
+  if (!own) {
+    throw InputError(fmt::format(
+        "{}:1: a comment `/* {} … */` with the method's declaration expected", file_, word));
+  }
+  table_ = std::move(*own);
+  std::vector<toml::table> parts;
+  for (const ShaderPiece& include : includes) {
+    if (auto part = declaredIn(include, "gnomon-part")) parts.push_back(std::move(*part));
+  }
+  for (const toml::table& part : parts) {
+    allowOnly(part, {"tables", "passes", "pass", "bakes", "parameters"});
+  }
+  for (const char* key : {"tables", "passes", "pass"}) joinLists(key, parts);
+  for (const char* key : {"bakes", "parameters"}) joinTables(key, parts);
+}
+
+void Declaration::joinLists(std::string_view key, std::vector<toml::table>& parts) {
+  toml::array joined;
+  for (toml::table& part : parts) {
+    toml::node* list = part.get(key);
+    if (list == nullptr) continue;
+    if (!list->is_array()) fail(*list, fmt::format("`{}`: a list expected", key));
+    join(joined, *list->as_array());
+  }
+  toml::node* own = table_.get(key);
+  if (joined.empty() || (own != nullptr && !own->is_array())) return;
+  if (own != nullptr) join(joined, *own->as_array());
+  table_.insert_or_assign(key, std::move(joined));
+}
+
+void Declaration::joinTables(std::string_view key, std::vector<toml::table>& parts) {
+  for (toml::table& part : parts) {
+    toml::node* more = part.get(key);
+    if (more == nullptr) continue;
+    if (!more->is_table()) fail(*more, fmt::format("`{}`: a table expected", key));
+    toml::node* own = table_.get(key);
+    if (own == nullptr) {
+      table_.insert(key, std::move(*more->as_table()));
+      continue;
+    }
+    if (!own->is_table()) return;
+    for (auto&& [name, node] : *more->as_table()) {
+      // insert() leaves a table that is there.
+      node.visit(
+          [&, &named = name](auto& value) { own->as_table()->insert(named, std::move(value)); });
+    }
   }
 }
 
 void Declaration::fail(const toml::node& node, const std::string& what) const {
-  throw InputError(fmt::format("{}:{}: {}", file_, node.source().begin.line, what));
+  const toml::source_region& source = node.source();
+  throw InputError(
+      fmt::format("{}:{}: {}", source.path ? *source.path : file_, source.begin.line, what));
 }
 
 void Declaration::allowOnly(const toml::table& table,

@@ -6,15 +6,26 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "render/shader_files.h"
 
 namespace gnomon::render {
 
-/// The declaration of a method: the TOML in the first comment of its GLSL file. What is wrong with
-/// it is an InputError that names the file and the line there.
+/// The declaration of a method: the TOML in the first comment of its GLSL file, together with what
+/// the files that it includes declare. What is wrong with it is an InputError that names the file
+/// and the line there.
+///
+/// An included file declares what its functions need in a first comment that opens with
+/// `gnomon-part`: `tables`, `passes`, [[pass]], [bakes.NAME], [parameters.NAME]. Lists are joined,
+/// without doubles; passes of included files come before the method's own. A table of the method
+/// stands in place of an included file's of the same name, and of two included files the one that
+/// is included first decides.
 class Declaration {
  public:
-  /// @throws InputError where the text does not open with one
-  Declaration(std::string file, std::string_view text);
+  /// @param includes  in the order in which they are included
+  /// @throws InputError where the method's text does not open with one
+  Declaration(const ShaderPiece& method, const std::vector<ShaderPiece>& includes);
 
   [[nodiscard]] const toml::table& table() const { return table_; }
   [[noreturn]] void fail(const toml::node& node, const std::string& what) const;
@@ -35,6 +46,9 @@ class Declaration {
   [[nodiscard]] std::string about(const toml::table& table) const;
 
  private:
+  void joinLists(std::string_view key, std::vector<toml::table>& parts);
+  void joinTables(std::string_view key, std::vector<toml::table>& parts);
+
   std::string file_;
   toml::table table_;
 };

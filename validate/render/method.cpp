@@ -298,7 +298,7 @@ Method readMethod(const fs::path& path) {
   IncludedCode included = expandIncludes(path, method.source);
   method.code = std::move(included.pieces);
   method.includes = std::move(included.includes);
-  const Declaration declaration(method.source.file, method.source.text);
+  const Declaration declaration(method.source, method.includes);
   declaration.allowOnly(
       declaration.table(),
       {"title", "citation", "family", "symbol", "tables", "passes", "mesh", "light_mesh", "normal",

@@ -95,6 +95,7 @@ enum class DrawnMesh {
 ///   azimuths      of its tables, where the authors state them
 ///   bakes.NAME    tables that its own functions bake, see MethodBake
 ///   parameters.NAME with `default`, `minimum`, `maximum`, `type`, `about`
+/// Files that it includes may declare some of these themselves, see Declaration.
 /// The file defines one or more of
 ///   bool isShadowed(Pixel pixel, LocalLight light)     of a light that is a point
 ///   float visibility(Pixel pixel, LocalLight light)    V, the share of the light's disc, 0 to 1

@@ -1,5 +1,15 @@
+/* gnomon-part
+tables = ["height"]
+
+[parameters.steps]
+default = 64
+minimum = 1
+maximum = 4096
+about = "samples of the height map on the way to the light"
+*/
+
 // The height map at even steps on the way to the light: over the flat relief, as far as the ray is below
-// the highest bump, or as far as is searched where it never leaves it. Needs a parameter `steps`.
+// the highest bump, or as far as is searched where it never leaves it.
 
 // Height units per texel.
 float riseOf(Pixel pixel, LocalLight light) {

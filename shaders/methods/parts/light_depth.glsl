@@ -1,5 +1,32 @@
-// The depth of a displaced mesh from the light: of a method with `light_mesh = "displaced"` and its
-// parameters.
+/* gnomon-part
+passes = ["light-depth"]
+
+[parameters.light_pieces]
+default = 9
+minimum = 1
+maximum = 1024
+about = "pieces of every face's side of the displaced mesh that the light sees"
+
+[parameters.depth_side]
+default = 2048
+minimum = 16
+maximum = 8192
+about = "texels a side of the depth map, which holds the whole surface"
+
+[parameters.search_samples]
+default = 24
+minimum = 1
+maximum = 1024
+about = "soft light: texels of the depth map that are asked for what hides some of the light"
+
+[parameters.filter_samples]
+default = 16
+minimum = 1
+maximum = 1024
+about = "soft light: texels of the depth map that the share is taken of"
+*/
+
+// The depth of a displaced mesh from the light: of a method with `light_mesh = "displaced"`.
 
 // World length of a piece's side: of the square with the piece's diagonals, √(½ (|P_s|² + |P_t|²)) over
 // the pieces a side, since a long piece is as far off as it is long. Both (s, t) and the position are

@@ -1,4 +1,12 @@
-// An ambient occlusion map, baked from the exact horizons of the flat relief: [bakes.openness].
+/* gnomon-part
+tables = ["height", "horizon"]
+
+[bakes.openness]
+bits = 8
+about = "share of the sky that a texel sees, weighted by the cosine to its normal: an ambient occlusion map"
+*/
+
+// An ambient occlusion map, baked from the exact horizons of the flat relief.
 
 // The relief's normal at a texel by central differences, in the frame of angles (texelsPerHeight).
 vec3 normalOfTexel(vec2 texel) {

@@ -1,5 +1,26 @@
-// The march over maps of the surface, for methods with the passes `point` (P) and `column` (a n), of
-// three channels over the texture, and the parameter `leg`.
+/* gnomon-part
+tables = ["height"]
+
+[[pass]]
+name = "point"
+kind = "texture"
+channels = 3
+about = "P, world"
+
+[[pass]]
+name = "column"
+kind = "texture"
+channels = 3
+about = "a n, world: what a height unit adds to P"
+
+[parameters.leg]
+default = 2
+minimum = 0.25
+maximum = 16
+about = "longest part of the way between two of its places that are solved for, texels"
+*/
+
+// The march over maps of the surface.
 //
 // The relief's points are D = P + h a n. A march must know over which place (x, y) of the map the ray
 // is, and how high, η height units. The other marches predict both from the pixel's frame and its

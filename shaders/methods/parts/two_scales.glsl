@@ -1,3 +1,31 @@
+/* gnomon-part
+tables = ["height"]
+
+[parameters.bias]
+default = 1
+minimum = 0
+maximum = 64
+about = "how far places on the displaced mesh may be off, texels of the depth map, beside piece_bias"
+
+[parameters.piece_bias]
+default = 0.5
+minimum = 0
+maximum = 16
+about = "the same, pieces of the displaced mesh; the depth map hides, and the march sees, what is nearer"
+
+[parameters.edge]
+default = 0.25
+minimum = 0
+maximum = 16
+about = "how far from the outlines of its shadows the depth map asks the march, pieces; a texel at least"
+
+[parameters.trust]
+default = 0.03
+minimum = 0
+maximum = 1
+about = "the march overrules the depth map where its path errs less than this part of what the map may be off"
+*/
+
 // A march over the height map knows the relief to the texel, but not where the texture's seams and
 // the body's bends lead; a depth map knows the whole body, but no more of the relief than the
 // displaced mesh has, and nothing nearer than its bias. Each answers where the other cannot:
@@ -14,9 +42,6 @@
 //    march then goes on as far as that is, or as its path is nearer to the true one than u
 //    (marchEnd): what it meets hides the light. And light that it finds overrules the map where it
 //    knows the way much better (isPathKnown).
-//
-// A method with these functions has the parameters bias, piece_bias, edge, trust, search_samples and
-// filter_samples beside those of the depth map.
 
 const float steepest = 16.0;  // tan φ
 
