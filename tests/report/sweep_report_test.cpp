@@ -370,6 +370,14 @@ TEST(SweepHtml, OpensWithTheMethodThatIsClosestOverAllValues) {
   EXPECT_THAT(all, HasSubstr("Of 2 methods, <b>curved</b> is closest to the "));
   EXPECT_THAT(all, HasSubstr("<b>1.67&#8239;%</b>"));
   EXPECT_THAT(all, HasSubstr("on average, from 1.00 to 3.00&#8239;%."));
+  EXPECT_THAT(all, HasSubstr(" by 0.20&#8239;%.</p>")) << "how uncertain the truth is";
+  // As close as the truth is certain.
+  sweep.steps = {step({{"flat", 11}, {"curved", 10}}, 0.002),
+                 step({{"flat", 11}, {"curved", 10}}, 0.001),
+                 step({{"flat", 32}, {"curved", 30}}, 0.003)};
+  for (study::StudyRecord& each : sweep.steps) test::addDifferences(each, 0.0001);
+  EXPECT_THAT(sweepHtml(sweep, plots).text(), HasSubstr("It is not distinguishable from “flat”."));
+  sweep = sampleSweep();
   // What has no result at a value is not named.
   sweep.steps[1] = step({{"flat", 40}}, 0.001);
   EXPECT_THAT(sweepHtml(sweep, plots).text(), HasSubstr("Of 1 method, <b>flat</b> is closest"));

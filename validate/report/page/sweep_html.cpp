@@ -15,6 +15,7 @@
 #include "report/tables/means_table.h"
 #include "report/tables/sweep_tables.h"
 #include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
 #include "report/text/terms_html.h"
 #include "study/judge/study_means.h"
 #include "study/judge/study_ranking.h"
@@ -32,19 +33,31 @@ Html sweepStatus(const study::SweepRecord& sweep) {
   return statusHtml(sweep.status(), judgements, problems, "over all values");
 }
 
-/// Which method is closest to the truth over all cases, and how close; of those that have them all.
+/// Which method is closest to the truth over all cases, how close, how certain the truth is, and
+/// which others are as close; of those that have all cases.
 Html sweepAnswer(const study::SweepRecord& sweep) {
-  std::vector<ErrorSpread> spreads = errorSpreads(sweep);
-  std::erase_if(spreads, [&](const auto& spread) { return spread.cases < sweep.cases.size(); });
-  const auto best = std::min_element(spreads.begin(), spreads.end(),
-                                     [](const auto& a, const auto& b) { return a.mean < b.mean; });
-  if (best == spreads.end()) return {};
-  return html(
-      "<p class=\"lead\">Of {}, <b>{}</b> is closest to the {}: {} on average, from {} to "
-      "{}&#8239;%.</p>\n",
-      plural(spreads.size(), "method"), best->method, htmlTerm("truth"),
-      errorHtml(study::isSoft(sweep), best->mean), percentText(best->least),
-      percentText(best->largest));
+  const std::array whole = {study::studyMeans(sweep)};
+  std::vector<study::RankedOverStudies> ranked = study::rankOverStudies(whole);
+  std::erase_if(ranked, [](const auto& method) { return !method.rank; });
+  if (ranked.empty()) return {};
+  const study::RankedOverStudies& best = ranked.front();
+  const std::vector<ErrorSpread> spreads = errorSpreads(sweep);
+  const auto spread = std::find_if(spreads.begin(), spreads.end(),
+                                   [&](const auto& each) { return each.method == best.label; });
+  LikeMethods like;
+  for (const study::RankedOverStudies& method : ranked) {
+    if (method.closeToBest && !method.hasNoInterval) like.close.push_back(method.label);
+  }
+  Html text = html("Of {}, <b>{}</b> is closest to the {}: {} on average, from {} to {}&#8239;%.",
+                   plural(ranked.size(), "method"), best.label, htmlTerm("truth"),
+                   errorHtml(study::isSoft(sweep), best.meanError), percentText(spread->least),
+                   percentText(spread->largest));
+  if (!like.close.empty()) text += html(" It is {}.", indistinguishableText(like));
+  if (best.uncertainty) {
+    text += html(" The truth itself is {} by {}&#8239;%.",
+                 htmlTerm("uncertainty of the truth", "uncertain"), percentText(best.uncertainty));
+  }
+  return html("<p class=\"lead\">{}</p>\n", text);
 }
 
 Html sweepHeader(const study::SweepRecord& sweep) {
