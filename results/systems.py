@@ -16,6 +16,7 @@ import os
 import pathlib
 import subprocess
 import sys
+import tempfile
 
 PROGRAM = os.environ.get("GNOMON_PROGRAM", "gnomon")
 LEAST_TOLERANCE = 0.001  # leastRateTolerance of validate/study/judge/baseline.cpp
@@ -31,10 +32,26 @@ def mask_folders(results):
     return found
 
 
+def completed(folder, names, place):
+    """Links to all masks of a folder. Another base's truth, VIEW_LIGHT_truth_BASE, is written only
+    where it differs from VIEW_LIGHT_truth, which stands for one that is not there."""
+    place.mkdir()
+    for name in names:
+        mask = pathlib.Path(folder) / name
+        if not mask.exists() and "_truth_" in name:
+            mask = pathlib.Path(folder) / (name.split("_truth_")[0] + "_truth" + mask.suffix)
+        if mask.exists():
+            (place / name).symlink_to(mask.resolve())
+    return place
+
+
 def compared(folder_a, folder_b):
     """(name, share of samples that differ) of every mask of two folders."""
-    run = subprocess.run([PROGRAM, "compare", folder_a, folder_b, "--json", "-"],
-                         capture_output=True, text=True)
+    names = {mask.name for folder in (folder_a, folder_b) for mask in pathlib.Path(folder).iterdir()}
+    with tempfile.TemporaryDirectory() as folder:
+        pair = [completed(masks, names, pathlib.Path(folder) / side)
+                for side, masks in (("a", folder_a), ("b", folder_b))]
+        run = subprocess.run([PROGRAM, "compare", *pair, "--json", "-"], capture_output=True, text=True)
     if run.returncode != 0:
         sys.stderr.write(run.stderr)
         sys.exit(3)
@@ -82,8 +99,8 @@ def main(results_a, results_b):
     beyond = 0
     for name, folder_a in folders_a.items():
         masks = compared(folder_a, folders_b[name])
-        truths = [mask for mask in masks if mask[0].endswith("_truth")]
-        methods = [mask for mask in masks if not mask[0].endswith("_truth")]
+        truths = [mask for mask in masks if "_truth" in mask[0]]
+        methods = [mask for mask in masks if "_truth" not in mask[0]]
         change = moved(folder_a.parent, folders_b[name].parent)
         beyond += change > LEAST_TOLERANCE
         differ = sum(share > 0 for _, share in masks)
