@@ -69,7 +69,9 @@ TEST_F(Tables, ThatWereChangedAreNamedAndWrittenAnew) {
     std::ofstream(file(page)) << text;
   }
   EXPECT_FALSE(succeeds(" --check"));
-  for (const auto& [page, row] : rows) EXPECT_THAT(printed, HasSubstr(page + "\n  has  " + row));
+  for (const auto& [page, row] : rows) {
+    EXPECT_THAT(printed, HasSubstr(std::string(page).append("\n  has  ").append(row)));
+  }
   EXPECT_THAT(printed, HasSubstr("5 rows differ"));
   EXPECT_TRUE(succeeds("")) << printed;
   for (const auto& [page, text] : texts) EXPECT_EQ(textOf(file(page)), text) << page;
