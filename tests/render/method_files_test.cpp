@@ -153,6 +153,23 @@ TEST_F(MethodFiles, DeclareWhatTheirFunctionsNeed) {
   EXPECT_EQ(shareWrong(flatPlane(), own, {{"size", 4}}), 1);
 }
 
+/// A bake may read those before it: an included file's come first, whatever their lines.
+TEST_F(MethodFiles, BakeBeforeTheMethodThatIncludesThem) {
+  const GlContext gl;
+  write("one.glsl",
+        "/* gnomon-part\n\n\n\n\n\n[bakes.zero]\nbits = 32\n*/\n"
+        "float bakeZero(vec2 texel) { return 7.0; }\n");
+  const Method own = method("[bakes.own]\nbits = 32",
+                            "#include \"one.glsl\"\n"
+                            "float bakeOwn(vec2 texel) { return zeroAt(texel) + 1.0; }\n"
+                            "bool wrong(Pixel pixel) { return ownAt(pixel.texel) != 8.0; }\n" +
+                                asksWrong);
+  ASSERT_EQ(own.bakes.size(), 2U);
+  EXPECT_EQ(own.bakes[0].name, "zero");
+  EXPECT_EQ(own.bakes[1].name, "own");
+  EXPECT_EQ(shareWrong(flatPlane(), own), 0);
+}
+
 TEST_F(MethodFiles, FaultsInTheirDeclarationsNameTheirOwnLines) {
   const std::vector<std::pair<std::string, std::string>> faults = {
       {"title = \"T\"", "one.glsl:2: unknown key `title`, expected tables, passes, pass, bakes"},

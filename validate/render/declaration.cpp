@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "common/error.h"
@@ -49,13 +50,14 @@ void join(toml::array& joined, toml::array& more) {
 
 }  // namespace
 
-Declaration::Declaration(const ShaderPiece& method, const std::vector<ShaderPiece>& includes)
-    : file_(method.file) {
+Declaration::Declaration(const ShaderPiece& method, const std::vector<ShaderPiece>& includes) {
+  for (const ShaderPiece& include : includes) files_.push_back(include.file);
+  files_.push_back(method.file);
   constexpr std::string_view word = "gnomon-method";
   std::optional<toml::table> own = declaredIn(method, word);
   if (!own) {
     throw InputError(fmt::format(
-        "{}:1: a comment `/* {} … */` with the method's declaration expected", file_, word));
+        "{}:1: a comment `/* {} … */` with the method's declaration expected", method.file, word));
   }
   table_ = std::move(*own);
   std::vector<toml::table> parts;
@@ -104,8 +106,8 @@ void Declaration::joinTables(std::string_view key, std::vector<toml::table>& par
 
 void Declaration::fail(const toml::node& node, const std::string& what) const {
   const toml::source_region& source = node.source();
-  throw InputError(
-      fmt::format("{}:{}: {}", source.path ? *source.path : file_, source.begin.line, what));
+  throw InputError(fmt::format("{}:{}: {}", source.path ? *source.path : files_.back(),
+                               source.begin.line, what));
 }
 
 void Declaration::allowOnly(const toml::table& table,
@@ -120,7 +122,7 @@ void Declaration::allowOnly(const toml::table& table,
 std::string Declaration::text(std::string_view key) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) {
-    throw InputError(fmt::format("{}:1: `{}` is missing, a string expected", file_, key));
+    throw InputError(fmt::format("{}:1: `{}` is missing, a string expected", files_.back(), key));
   }
   return textOf(*node, key);
 }
@@ -169,6 +171,13 @@ bool Declaration::isLinear(const toml::table& table, std::string_view key) const
 std::string Declaration::about(const toml::table& table) const {
   const toml::node* node = table.get("about");
   return node == nullptr ? "" : textOf(*node, "about");
+}
+
+std::pair<std::size_t, std::size_t> Declaration::placeOf(const toml::node& node) const {
+  const toml::source_region& source = node.source();
+  const auto file =
+      source.path ? std::find(files_.begin(), files_.end(), *source.path) : std::prev(files_.end());
+  return {static_cast<std::size_t>(file - files_.begin()), source.begin.line};
 }
 
 bool isOwnName(std::string_view name) {

@@ -2,10 +2,12 @@
 
 #include <toml++/toml.h>
 
+#include <cstddef>
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "render/shader_files.h"
@@ -18,9 +20,9 @@ namespace gnomon::render {
 ///
 /// An included file declares what its functions need in a first comment that opens with
 /// `gnomon-part`: `tables`, `passes`, [[pass]], [bakes.NAME], [parameters.NAME]. Lists are joined,
-/// without doubles; passes of included files come before the method's own. A table of the method
-/// stands in place of an included file's of the same name, and of two included files the one that
-/// is included first decides.
+/// without doubles. Passes and bakes of included files come before the method's own, which may read
+/// them. A table of the method stands in place of an included file's of the same name, and of two
+/// included files the one that is included first decides.
 class Declaration {
  public:
   /// @param includes  in the order in which they are included
@@ -42,6 +44,8 @@ class Declaration {
                                          int most) const;
   /// Whether a filter is "linear", as without the key, or "nearest".
   [[nodiscard]] bool isLinear(const toml::table& table, std::string_view key) const;
+  /// Where a node stands among all that is declared: its file, in the order above, and its line.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> placeOf(const toml::node& node) const;
   /// `about` of a table; empty where it has none.
   [[nodiscard]] std::string about(const toml::table& table) const;
 
@@ -49,7 +53,7 @@ class Declaration {
   void joinLists(std::string_view key, std::vector<toml::table>& parts);
   void joinTables(std::string_view key, std::vector<toml::table>& parts);
 
-  std::string file_;
+  std::vector<std::string> files_;  ///< that are included, then the method's own
   toml::table table_;
 };
 

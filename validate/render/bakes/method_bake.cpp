@@ -193,15 +193,15 @@ std::vector<MethodBake> readBakes(const Declaration& declaration) {
     declaration.fail(*found,
                      fmt::format("{} bakes found, at most {} expected", tables->size(), mostBakes));
   }
-  std::vector<std::pair<toml::source_index, MethodBake>> lines;
+  std::vector<std::pair<std::pair<std::size_t, std::size_t>, MethodBake>> places;
   for (const auto& [name, node] : *tables) {
-    lines.emplace_back(node.source().begin.line,
-                       readBake(declaration, std::string(name.str()), node));
+    places.emplace_back(declaration.placeOf(node),
+                        readBake(declaration, std::string(name.str()), node));
   }
-  std::stable_sort(lines.begin(), lines.end(),
+  std::stable_sort(places.begin(), places.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<MethodBake> bakes;
-  for (auto& [line, bake] : lines) bakes.push_back(std::move(bake));
+  for (auto& [place, bake] : places) bakes.push_back(std::move(bake));
   return bakes;
 }
 
