@@ -136,10 +136,9 @@ def over_studies(table):
 def ranking(table):
     if table.columns != ["method", "mean", "worst", "worst on"]:
         return None
-    ranked_methods = [method for method in json_of("ranking.json")["methods"] if method["rank"]]
     return [[f"`{method['label']}`", figure(100 * method["mean_error_rate"], ""),
              figure(100 * method["worst_error_rate"], ""), f"`{method['worst_study']}`"]
-            for method in ranked_methods]
+            for method in json_of("ranking.json")["methods"] if method["rank"]]
 
 
 def suite(table):
@@ -161,8 +160,6 @@ def suite(table):
 
     def cells(row):
         label = plain(row[0])
-        label = next(name for name in methods if re.fullmatch(re.escape(label) + "(, .*)?", name)) \
-            if label not in methods else label
         method, (patches, on_bodies) = methods[label], scenes[label]
         two = lambda value: f"{100 * value:.2f}"
         return [row[0], two(method["mean"]), f"{two(method['low'])} to {two(method['high'])}",
@@ -288,10 +285,10 @@ def settings(table):
                     continue
                 label = method
                 if k != 1 or "beside" in row[2]:
-                    isRight = lambda number: (number < chosen, number == chosen, number > chosen)[k]
+                    is_right = lambda number: (number < chosen, number == chosen, number > chosen)[k]
                     label = next(name for name in errors(study)
                                  if name.startswith(f"{method}, ") and setting in name
-                                 and isRight(float(re.search(r"[\d.]+", name[len(method):]).group())))
+                                 and is_right(float(re.search(r"[\d.]+", name[len(method):]).group())))
                 new[first + k] = figure(mean_error(study, label), old)
         rows.append(new)
     return rows

@@ -34,7 +34,7 @@ Html sweepStatus(const study::SweepRecord& sweep) {
 }
 
 /// Which method is closest to the truth over all cases, how close, how certain the truth is, and
-/// which others are as close; of those that have all cases.
+/// which others it is not distinguishable from; of those that have all cases.
 Html sweepAnswer(const study::SweepRecord& sweep) {
   const std::array whole = {study::studyMeans(sweep)};
   std::vector<study::RankedOverStudies> ranked = study::rankOverStudies(whole);
@@ -46,13 +46,15 @@ Html sweepAnswer(const study::SweepRecord& sweep) {
                                    [&](const auto& each) { return each.method == best.label; });
   LikeMethods like;
   for (const study::RankedOverStudies& method : ranked) {
-    if (method.closeToBest && !method.hasNoInterval) like.close.push_back(method.label);
+    if (!method.closeToBest) continue;
+    (method.hasNoInterval ? like.withoutInterval : like.close).push_back(method.label);
   }
   Html text = html("Of {}, <b>{}</b> is closest to the {}: {} on average, from {} to {}&#8239;%.",
                    plural(ranked.size(), "method"), best.label, htmlTerm("truth"),
                    errorHtml(study::isSoft(sweep), best.meanError), percentText(spread->least),
                    percentText(spread->largest));
-  if (!like.close.empty()) text += html(" It is {}.", indistinguishableText(like));
+  const std::string alike = indistinguishableText(like);
+  if (!alike.empty()) text += html(" It {}{}.", like.close.empty() ? "" : "is ", alike);
   if (best.uncertainty) {
     text += html(" The truth itself is {} by {}&#8239;%.",
                  htmlTerm("uncertainty of the truth", "uncertain"), percentText(best.uncertainty));
