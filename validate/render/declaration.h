@@ -19,10 +19,10 @@ namespace gnomon::render {
 /// and the line there.
 ///
 /// An included file declares what its functions need in a first comment that opens with
-/// `gnomon-part`: `tables`, `passes`, [[pass]], [bakes.NAME], [parameters.NAME]. Lists are joined,
-/// without doubles. Passes and bakes of included files come before the method's own, which may read
-/// them. A table of the method stands in place of an included file's of the same name, and of two
-/// included files the one that is included first decides.
+/// `gnomon-part`: `tables`, `passes`, [[pass]], [bakes.NAME], [parameters.NAME]. Lists are joined;
+/// a text stands in them once. Passes and bakes of included files come before the method's own,
+/// which may read them. A table of the method stands in place of an included file's of the same
+/// name, and of two included files the one that is included first decides.
 class Declaration {
  public:
   /// @param includes  in the order in which they are included
