@@ -161,7 +161,7 @@ std::string constants(const MethodBake& bake, const std::function<float(glm::vec
 
 /// What the functions `nameAt` and `nameTexel` return of a stored value.
 std::string decoded(const MethodBake& bake, const std::string& stored) {
-  const std::string value = fmt::format("{}.{}", stored, swizzle(bake));
+  std::string value = fmt::format("{}.{}", stored, swizzle(bake));
   if (bake.ranges.empty()) return value;
   const auto low = constants(bake, [](glm::vec2 range) { return range.x; });
   const auto span = constants(bake, [](glm::vec2 range) { return range.y - range.x; });
@@ -201,6 +201,7 @@ std::vector<MethodBake> readBakes(const Declaration& declaration) {
   std::stable_sort(places.begin(), places.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<MethodBake> bakes;
+  bakes.reserve(places.size());
   for (auto& [place, bake] : places) bakes.push_back(std::move(bake));
   return bakes;
 }
