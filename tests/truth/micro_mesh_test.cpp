@@ -219,6 +219,37 @@ TEST(MicroMesh, FacetIsTheOneThatARayMeets) {
   }
 }
 
+/// On edges and corners of facets neither rounding nor the place itself chooses, but the step.
+TEST(MicroMesh, OnAnEdgeAStepChoosesTheFacet) {
+  const surface::LimitSurface surface(surface::makePlane(8, 8, 2, 2));
+  const MicroMesh mesh(surface, randomRelief(8, 8, 1, 5), step(0.5));
+  const std::vector<double>& lines = mesh.grids().sLines(mesh.grids().faces()[0]);
+  ASSERT_GE(lines.size(), 8U);
+  const double spacing = lines[4] - lines[3];
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> rounding(-4e-7, 4e-7);
+  std::uniform_real_distribution<double> turn(0, 2 * pi);
+  // On a corner, on an edge of each direction, on a cell's diagonal, and inside of a facet.
+  for (const Vec2 from : {Vec2(0, 0), Vec2(0.4, 0), Vec2(0, 0.4), Vec2(0.3, 0.7), Vec2(0.2, 0.3)}) {
+    const Vec2 place = Vec2(lines[3]) + spacing * from;
+    for (int k = 0; k < 100; ++k) {
+      const double angle = turn(random);
+      const Vec2 toward(std::cos(angle), std::sin(angle));
+      const Vec2 beyond = place + 0.01 * spacing * toward;
+      const Vec2 rounded = place + Vec2(rounding(random), rounding(random));
+      EXPECT_EQ(mesh.facet(0, rounded.x, rounded.y, 3.0 * toward).normal,
+                mesh.facet(0, beyond.x, beyond.y).normal)
+          << from.x << ' ' << from.y << ' ' << angle;
+    }
+    // Without a step, and along the lines, where larger s or t decides.
+    const Vec2 after = place + 0.01 * spacing;
+    EXPECT_EQ(mesh.facet(0, place.x - 4e-7, place.y - 4e-7).normal,
+              mesh.facet(0, after.x, after.y).normal);
+    EXPECT_EQ(mesh.facet(0, place.x - 4e-7, place.y, Vec2(-1e-9, 1)).normal,
+              mesh.facet(0, place.x + 0.001 * spacing, place.y + 0.01 * spacing).normal);
+  }
+}
+
 TEST(MicroMesh, FacetLiesOnTheDisplacedSurfaceAsTheMeshGrowsFiner) {
   const surface::LimitSurface surface(surface::makeSphere(50, 1, 1, 16, 16));
   const relief::Relief relief = randomRelief(16, 16, 2, 3);

@@ -101,13 +101,16 @@ TEST(SurfaceHorizons, TipOfAPinSeesBelowItsTangentPlane) {
   for (const double height : {2.0, 5.0, 9.0}) {
     constexpr double radius = 60;
     const HorizonScene scene(
-        surface::makeSphere(radius, 2, 2, 40, 40),
+        surface::makeSphere(radius, 2, 2, 39, 39),
         stepRelief(81, 81, height, [](int i, int j) { return i == 40 && j == 40; }), 0.2);
-    // The tip's own facet falls toward greater x and y: of eight azimuths it faces the second.
+    // Facets fall from the tip on all sides: toward every azimuth rays start on the one there.
     const horizon::AngleTable table = scene.shoot(40, 40, 1, 1, 8, pi);
     const double kappa = 1 / radius;
-    EXPECT_NEAR(table.angles[1], pi / 2 + std::acos(1 / (1 + kappa * height)), 2 * precision);
-    EXPECT_NEAR(scene.shoot(40, 40, 1, 1, 8, pi / 2).angles[1], pi / 2, 1e-6);
+    const double expected = pi / 2 + std::acos(1 / (1 + kappa * height));
+    for (const float angle : table.angles) EXPECT_NEAR(angle, expected, 2 * precision);
+    for (const float angle : scene.shoot(40, 40, 1, 1, 8, pi / 2).angles) {
+      EXPECT_NEAR(angle, pi / 2, 1e-6);
+    }
   }
 }
 
@@ -121,20 +124,11 @@ TEST(SurfaceHorizons, OnAPlaneAreTheFlatReliefs) {
   const horizon::AngleTable shot = scene.shoot(0, 0, 48, 48, 16, pi / 2);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < shot.angles.size(); ++i) {
-    // Four facets meet at a texel's centre, and a ray starts from one of them. Left out is where
-    // one of these slopes is the horizon.
     const auto x = static_cast<int>(i % 48);
     const auto y = static_cast<int>(i / 48 % 48);
     const double azimuth = 2 * pi * static_cast<double>(i / (48 * 48)) / 16;
-    const relief::HeightField& h = relief.field;
-    const auto steepest = [](double along, double before, double here, double after) {
-      return std::max(along * (here - before), along * (after - here));
-    };
-    const double facet =
-        steepest(std::cos(azimuth), h.texel(x - 1, y), h.texel(x, y), h.texel(x + 1, y)) +
-        steepest(std::sin(azimuth), h.texel(x, y - 1), h.texel(x, y), h.texel(x, y + 1));
-    if (baked.distance[i] < 1.5F || flat.angles[i] > 1.5F || facet > baked.horizon[i]) continue;
-    // Nor does the plane go on beyond its border, as the map does.
+    if (baked.distance[i] < 1.5F || flat.angles[i] > 1.5F) continue;
+    // The plane does not go on beyond its border, as the map does.
     const Vec2 occluder =
         Vec2(x, y) + double{baked.distance[i]} * Vec2(std::cos(azimuth), std::sin(azimuth));
     if (glm::any(glm::lessThan(occluder, Vec2(0))) ||
@@ -157,10 +151,12 @@ TEST(SurfaceHorizons, InATorussHoleAreTheLowestRaysThatEscape) {
   const surface::SurfaceSample sample = sampleAt(scene.surface, scene.relief, {20.5, 2.5});
   const surface::TexelFrame frame =
       surface::texelFrame(scene.surface.evaluate(sample), scene.relief.texelsPerUv());
-  const Facet facet = scene.mesh.facet(sample);
   int gaps = 0;
   for (int m = 0; m < azimuths; ++m) {
     const double azimuth = 2 * pi * m / azimuths;
+    // The texel's centre is a corner of facets: the one that the azimuth leads onto.
+    const Vec2 onward = Vec2(20.5, 2.5) + 1e-3 * Vec2(std::cos(azimuth), std::sin(azimuth));
+    const Facet facet = scene.mesh.facet(sampleAt(scene.surface, scene.relief, onward));
     const Vec3 tangent =
         glm::normalize(std::cos(azimuth) * frame.px + std::sin(azimuth) * frame.py);
     // From the tangent plane upward, by a twentieth of a degree: the first ray that escapes, and
@@ -229,7 +225,10 @@ double angleByOneRayAtATime(const HorizonScene& scene, const surface::SurfaceSam
                             double azimuth, double limit) {
   const surface::TexelFrame frame =
       surface::texelFrame(scene.surface.evaluate(sample), scene.relief.texelsPerUv());
-  const Facet facet = scene.mesh.facet(sample);
+  const surface::GridChart grid = scene.surface.grid().value();
+  const Vec2 toward = Vec2(std::cos(azimuth), std::sin(azimuth)) / scene.relief.texelsPerUv() *
+                      Vec2(grid.columns, grid.rows);
+  const Facet facet = scene.mesh.facet(sample.face, sample.s, sample.t, toward);
   const Vec3 tangent = glm::normalize(std::cos(azimuth) * frame.px + std::sin(azimuth) * frame.py);
   const auto isFree = [&](double off) {
     const Vec3 direction = std::cos(off) * frame.normal + std::sin(off) * tangent;

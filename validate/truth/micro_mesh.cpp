@@ -120,25 +120,58 @@ Vec3 MicroMesh::vertex(std::size_t index) const {
   return {coordinates_[3 * index], coordinates_[3 * index + 1], coordinates_[3 * index + 2]};
 }
 
-Facet MicroMesh::facet(int face, double s, double t) const {
+namespace {
+
+/// A parameter's place among the lines of a grid.
+struct LinePlace {
+  std::size_t cell;
+  double share;  ///< of the cell, from its first line
+  double width;  ///< of the cell
+};
+
+/// A place on a line, within parameterRounding, counts to the cell after it where the step from it
+/// goes forward, else to the one before.
+LinePlace linePlace(const std::vector<double>& lines, double at, bool forward) {
+  std::size_t cell = cellOf(lines, at);
+  if (forward) {
+    if (cell + 2 < lines.size() && at > lines[cell + 1] - parameterRounding) ++cell;
+  } else {
+    if (cell > 0 && at < lines[cell] + parameterRounding) --cell;
+  }
+  const double width = lines[cell + 1] - lines[cell];
+  return {cell, std::clamp((at - lines[cell]) / width, 0.0, 1.0), width};
+}
+
+/// Whether a place lies in the triangle at the cell's first corner: a + b < 1. On the diagonal,
+/// within parameterRounding, it does where the step from it leads there.
+bool isLower(const LinePlace& a, const LinePlace& b, const Vec2& step) {
+  const double beyond = a.share + b.share - 1;
+  const double rounding = parameterRounding * (1 / a.width + 1 / b.width);
+  const Vec2 inCells(step.x / a.width, step.y / b.width);
+  if (std::abs(beyond) > rounding) return beyond < 0;
+  return inCells.x + inCells.y < -1e-5 * glm::length(inCells);
+}
+
+}  // namespace
+
+Facet MicroMesh::facet(int face, double s, double t, const Vec2& toward) const {
   const surface::FaceGrid& grid = grids_.faces()[static_cast<std::size_t>(face)];
-  const auto cell = [](const std::vector<double>& lines, double at) {
-    const std::size_t k = cellOf(lines, at);
-    return std::pair{k, std::clamp((at - lines[k]) / (lines[k + 1] - lines[k]), 0.0, 1.0)};
-  };
-  const auto [column, a] = cell(grids_.sLines(grid), s);
-  const auto [row, b] = cell(grids_.tLines(grid), t);
+  const double none = -1e-5 * glm::length(toward);
+  const LinePlace a = linePlace(grids_.sLines(grid), s, toward.x >= none);
+  const LinePlace b = linePlace(grids_.tLines(grid), t, toward.y >= none);
   // Embree cuts a grid's cell as Diagonal::acrossOrigin does.
-  const Vec3 v10 = vertex(grid.vertex(column + 1, row));
-  const Vec3 v01 = vertex(grid.vertex(column, row + 1));
-  const bool lower = a + b <= 1;
-  const Vec3 corner = vertex(lower ? grid.vertex(column, row) : grid.vertex(column + 1, row + 1));
+  const Vec3 v10 = vertex(grid.vertex(a.cell + 1, b.cell));
+  const Vec3 v01 = vertex(grid.vertex(a.cell, b.cell + 1));
+  const bool lower = isLower(a, b, toward);
+  const Vec3 corner =
+      vertex(lower ? grid.vertex(a.cell, b.cell) : grid.vertex(a.cell + 1, b.cell + 1));
   const Vec3 alongS = lower ? v10 - corner : v01 - corner;
   const Vec3 alongT = lower ? v01 - corner : v10 - corner;
   const Vec3 normal = glm::cross(alongS, alongT);
   const double area = glm::length(normal);
-  return {corner + (lower ? a : 1 - a) * alongS + (lower ? b : 1 - b) * alongT,
-          area > 0 ? normal / area : Vec3(0)};
+  return {
+      corner + (lower ? a.share : 1 - a.share) * alongS + (lower ? b.share : 1 - b.share) * alongT,
+      area > 0 ? normal / area : Vec3(0)};
 }
 
 surface::SurfaceSample MicroMesh::parametersAt(int face, const Vec2& place) const {

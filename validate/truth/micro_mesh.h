@@ -16,6 +16,12 @@ namespace gnomon::truth {
 /// How far over its facet a shadow ray starts, as a share of the mesh's largest coordinate.
 constexpr double standardRayOffset = 1e-6;
 
+/// How far the parameters of a sample may be off, of a face's side: they are floats that GL
+/// interpolates, otherwise on every processor. Grid lines run through texel centres, and so do many
+/// samples of an atlas, which then lie on the edges of several facets; which of them is a sample's
+/// own must not depend on that rounding.
+constexpr double parameterRounding = 1e-6;
+
 /// A flat piece of the displaced surface.
 struct Facet {
   Vec3 point;   ///< the asked point on it, in the mesh's own (centred) coordinates
@@ -65,8 +71,12 @@ class MicroMesh {
   /// The step that lines were placed by: a micro-edge may be shorter, none is longer.
   [[nodiscard]] double askedStepTexels() const { return askedTexels_; }
 
-  /// The facet above (s, t) of a face, and the point on it: no search, no ray.
-  [[nodiscard]] Facet facet(int face, double s, double t) const;
+  /// The facet above (s, t) of a face, and the point on it: no search, no ray. Of facets that meet
+  /// there, within parameterRounding, it is the one that a step from the place leads onto.
+  /// @param toward  the step's direction in (s, t), of any length. Along an axis where it has no
+  ///   part, less than 1e-5 of it, the step goes toward larger s or t, and so it does where it is
+  ///   zero.
+  [[nodiscard]] Facet facet(int face, double s, double t, const Vec2& toward = {0, 0}) const;
   [[nodiscard]] Facet facet(const surface::SurfaceSample& sample) const {
     return facet(sample.face, sample.s, sample.t);
   }

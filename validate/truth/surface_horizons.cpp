@@ -56,19 +56,31 @@ class HorizonSearch {
 /// A texel with a horizon, as its rays need it.
 struct Place {
   std::size_t texel;  ///< of the table
-  Facet facet;
-  Vec3 origin;  ///< of its rays
+  surface::SurfaceSample sample;
   Vec3 normal, px, py;
+  Vec2 perX, perY;  ///< steps in (s, t) of a texel along x and along y
 };
+
+/// None where P_x and P_y are not defined.
+std::optional<Place> placeOf(std::size_t texel, const surface::SurfaceSample& sample,
+                             const surface::LimitSurface& surface, Vec2 texelsPerUv) {
+  const surface::TangentPoint point = surface.tangentPoint(sample);
+  const surface::TexelFrame frame = surface::texelFrame(point, texelsPerUv);
+  if (!frame.defined) return std::nullopt;
+  const glm::dmat2 texelPerSt(point.uvDs * texelsPerUv, point.uvDt * texelsPerUv);
+  const glm::dmat2 stPerTexel = glm::inverse(texelPerSt);
+  return Place{texel, sample, frame.normal, frame.px, frame.py, stPerTexel[0], stPerTexel[1]};
+}
 
 /// Searches the horizons of some texels toward one azimuth. Sixteen searches go on at once, so that
 /// their rays are traced together; where one ends the next begins. What a search finds does not
 /// depend on the others.
 class AzimuthSearch {
  public:
-  AzimuthSearch(const MicroScene& scene, const std::vector<Place>& places, double azimuth,
-                double limit)
-      : scene_(scene),
+  AzimuthSearch(const MicroMesh& mesh, const MicroScene& scene, const std::vector<Place>& places,
+                double azimuth, double limit)
+      : mesh_(mesh),
+        scene_(scene),
         places_(places),
         cosine_(std::cos(azimuth)),
         sine_(std::sin(azimuth)),
@@ -82,7 +94,7 @@ class AzimuthSearch {
       for (Lane& lane : lanes_) {
         if (!needsRay(lane, layer)) continue;
         asking[rays.count] = &lane;
-        rays.add(lane.place->origin, lane.direction);
+        rays.add(lane.origin, lane.direction);
       }
       if (rays.count == 0) return;
       const auto blocked = scene_.occluded(rays);
@@ -93,7 +105,9 @@ class AzimuthSearch {
  private:
   struct Lane {
     const Place* place = nullptr;  ///< none: nothing is searched
-    Vec3 tangent;
+    Facet facet;                   ///< that the rays start on
+    Vec3 origin;                   ///< of the rays
+    Vec3 tangent;                  ///< along the azimuth
     HorizonSearch search{0};
     Vec3 direction;  ///< of the ray that the search waits for
   };
@@ -108,17 +122,28 @@ class AzimuthSearch {
       }
       if (lane.place == nullptr) {
         if (next_ == places_.size()) return false;
-        lane.place = &places_[next_++];
-        lane.tangent = glm::normalize(cosine_ * lane.place->px + sine_ * lane.place->py);
-        lane.search = HorizonSearch(limit_);
+        begin(lane, places_[next_++]);
+        if (lane.place == nullptr) continue;
       }
       const double off = lane.search.asked();
       lane.direction = std::cos(off) * lane.place->normal + std::sin(off) * lane.tangent;
-      if (!lane.place->facet.facesAwayFrom(lane.direction)) return true;
+      if (!lane.facet.facesAwayFrom(lane.direction)) return true;
       lane.search.take(false);
     }
   }
 
+  /// A texel's centre lies where facets meet: its rays start on the one that the azimuth leads
+  /// onto.
+  void begin(Lane& lane, const Place& place) {
+    lane.facet = mesh_.facet(place.sample.face, place.sample.s, place.sample.t,
+                             cosine_ * place.perX + sine_ * place.perY);
+    lane.origin = lane.facet.rayOrigin(mesh_.rayOffset());
+    lane.tangent = glm::normalize(cosine_ * place.px + sine_ * place.py);
+    lane.search = HorizonSearch(limit_);
+    lane.place = lane.facet.normal == Vec3(0) ? nullptr : &place;
+  }
+
+  const MicroMesh& mesh_;
   const MicroScene& scene_;
   const std::vector<Place>& places_;
   double cosine_, sine_;
@@ -145,12 +170,8 @@ horizon::AngleTable shootHorizons(const surface::LimitSurface& surface,
   const auto addPlace = [&](std::vector<Place>& places, std::size_t row, std::size_t column) {
     const surface::SurfaceSample& sample = texels.samples[(height - 1 - row) * width + column];
     if (!sample.isOnSurface()) return;
-    const surface::TexelFrame frame =
-        surface::texelFrame(surface.evaluate(sample), relief.texelsPerUv());
-    const Facet facet = mesh.facet(sample);
-    if (!frame.defined || facet.normal == Vec3(0)) return;
-    places.push_back({row * width + column, facet, facet.rayOrigin(mesh.rayOffset()), frame.normal,
-                      frame.px, frame.py});
+    const auto place = placeOf(row * width + column, sample, surface, relief.texelsPerUv());
+    if (place) places.push_back(*place);
   };
   // Tiles of neighbours, whose rays meet the same parts of the hierarchy.
   constexpr std::size_t side = 8;
@@ -168,7 +189,7 @@ horizon::AngleTable shootHorizons(const surface::LimitSurface& surface,
       }
     }
     for (int m = 0; m < azimuths; ++m) {
-      AzimuthSearch(scene, places, 2 * pi * m / azimuths, limit)
+      AzimuthSearch(mesh, scene, places, 2 * pi * m / azimuths, limit)
           .run(&table.angles[static_cast<std::size_t>(m) * count]);
     }
     done.advance();

@@ -12,7 +12,8 @@ namespace gnomon::truth {
 /// Horizon angles of the real displaced geometry, one texel a sample (Sloan & Cohen 2000, §3): from
 /// every texel's displaced point rays are shot toward each azimuth of the texture plane, starting
 /// at `limit` off the undisplaced surface's normal and moving toward the normal until one meets
-/// nothing. The table then includes the shadows of the surface's own curvature.
+/// nothing. Where facets of the mesh meet in the point, they start on the one that the azimuth
+/// leads onto. The table then includes the shadows of the surface's own curvature.
 ///
 /// The rise is by 4° at a time, then by bisection between the last two rays to a thousandth of a
 /// radian; light that slips through a gap narrower than 4° is not seen. A texel without a sample or
