@@ -3,13 +3,19 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace gnomon::render {
 namespace {
 
 bool isWordCharacter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// Whether parentheses that hold a word follow a place.
+bool parenthesesHold(std::string_view glsl, std::size_t at, std::string_view word) {
+  const std::size_t open = std::min(glsl.find_first_not_of(" \t\r\n", at), glsl.size());
+  const std::string_view inside = glsl.substr(open, glsl.find(')', open) - open);
+  return inside.starts_with('(') && lineOfWord(inside, word);
 }
 
 /// Where a comment or a line of the preprocessor that begins at a place ends; the place itself
@@ -55,12 +61,8 @@ bool definesFunction(std::string_view glsl, std::string_view name, std::string_v
     }
     if (isWordCharacter(glsl[at])) {
       while (end < glsl.size() && isWordCharacter(glsl[end])) ++end;
-      const std::size_t open = std::min(glsl.find_first_not_of(" \t\r\n", end), glsl.size());
-      const std::string_view inside = glsl.substr(open, glsl.find(')', open) - open);
-      if (depth == 0 && glsl.substr(at, end - at) == name && inside.starts_with('(') &&
-          lineOfWord(inside, argument)) {
-        return true;
-      }
+      const bool isName = depth == 0 && glsl.substr(at, end - at) == name;
+      if (isName && parenthesesHold(glsl, end, argument)) return true;
     }
     at = end;
   }

@@ -369,11 +369,11 @@ int lightPieces(const Method& method, const std::map<std::string, double>& chose
 }
 
 fs::path methodFile(const fs::path& shaders, const std::string& name) {
-  const std::vector<std::string> names = methodNames(shaders);
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
-    throw InputError(fmt::format("no method `{}`, there are {}", name, fmt::join(names, ", ")));
-  }
-  return shaders / "methods" / (name + ".glsl");
+  const fs::directory_entry file(shaders / "methods" / (name + ".glsl"));
+  const bool isPlainName = fs::path(name).filename() == name;
+  if (isPlainName && isShader(file)) return file.path();
+  throw InputError(
+      fmt::format("no method `{}`, there are {}", name, fmt::join(methodNames(shaders), ", ")));
 }
 
 std::vector<std::string> methodNames(const fs::path& shaders) {

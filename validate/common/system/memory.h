@@ -13,7 +13,8 @@ std::uint64_t availableMemoryBytes();
 /// Bytes that this process holds in memory now (/proc/self/statm); 0 where that cannot be told.
 std::uint64_t residentMemoryBytes();
 
-/// Refuses a request that cannot fit, before anything is allocated.
+/// Refuses a request that cannot fit, before anything is allocated. A megabyte and less always
+/// fits: the system is not asked.
 /// @param bytes  what the request would take
 /// @param what       what is asked for
 /// @param parameter  that makes it smaller, as Error has it; none, if empty

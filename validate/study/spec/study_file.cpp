@@ -240,8 +240,8 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
     for (LightSpec& light : readLights(section)) study.lights.push_back(std::move(light));
   }
   readStudyBake(root, study, parts, options.isOutline);
-  const MethodDefaults defaults{folder, render::shaderFolder(), study.bake, study.base,
-                                study.relief.resample};
+  const MethodDefaults defaults{folder,     render::shaderFolder(), study.bake,
+                                study.base, study.relief.resample,  parts.methods};
   for (const TomlReader& method : root.tables("method")) {
     study.methods.push_back(readMethodSection(method, defaults));
   }

@@ -6,6 +6,7 @@
 
 #include "horizon/search_radius.h"
 #include "relief/relief.h"
+#include "study/spec/sections/method_section.h"
 #include "surface/cage/cage.h"
 #include "surface/limit_surface.h"
 
@@ -21,6 +22,7 @@ struct StudyParts {
   std::shared_ptr<const surface::LimitSurface> limit = {};
   std::map<std::string, relief::Relief> reliefs = {};  ///< without their borders
   std::map<std::string, horizon::SearchRadius> radii = {};
+  DeclaredMethods methods = {};
 };
 
 }  // namespace gnomon::study

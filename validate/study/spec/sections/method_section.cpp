@@ -19,6 +19,12 @@ fs::path readMethodFile(const TomlReader& section, const MethodDefaults& default
   return section.blame("name", [&] { return render::methodFile(defaults.shaders, name); });
 }
 
+const render::Method& declaredIn(const fs::path& file, const MethodDefaults& defaults) {
+  const auto known = defaults.declared.find(file);
+  if (known != defaults.declared.end()) return known->second;
+  return defaults.declared.emplace(file, render::readMethod(file)).first->second;
+}
+
 /// A parameter's value, which the method must have and allow.
 double checkedValue(const TomlReader& section, const render::Method& method,
                     const std::string& name) {
@@ -62,7 +68,7 @@ MethodSpec readGivenMethod(const TomlReader& section, const MethodDefaults& defa
 
 MethodSpec readOwnMethod(const TomlReader& section, const MethodDefaults& defaults) {
   MethodSpec method;
-  const render::Method declared = render::readMethod(readMethodFile(section, defaults));
+  const render::Method& declared = declaredIn(readMethodFile(section, defaults), defaults);
   method.bake = defaults.bake;
   method.base = defaults.base;
   if (declared.azimuths) method.bake.settings.azimuths = *declared.azimuths;
@@ -113,8 +119,8 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
     readSection(*bake, keysOf(method.bake, defaults.resample));
   }
   if (const auto base = section.optionalTable("base")) readSection(*base, keysOf(method.base));
-  if (section.has("parameters")) readParameters(section, render::readMethod(method.file), method);
-  if (method.disc && !render::readMethod(method.file).hasHorizon) {
+  if (section.has("parameters")) readParameters(section, declaredIn(method.file, defaults), method);
+  if (method.disc && !declaredIn(method.file, defaults).hasHorizon) {
     section.fail("disc", fmt::format("{} defines no horizon, a method with `horizonSlope` expected",
                                      stemText(method.file)));
   }

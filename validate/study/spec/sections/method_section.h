@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "render/method.h"
 #include "render/passes/method_pass.h"
 #include "study/spec/sections/bake_section.h"
 #include "study/spec/sections/base_section.h"
@@ -71,13 +72,17 @@ render::Method declarationOf(const MethodSpec& method);
 /// What a method is called that is given as a folder of masks: the folder's name.
 std::string givenName(const std::filesystem::path& masks);
 
+/// What methods declare, by their files, each read once.
+using DeclaredMethods = std::map<std::filesystem::path, render::Method>;
+
 /// What methods are read against.
 struct MethodDefaults {
   std::filesystem::path folder;  ///< of the study
   std::filesystem::path shaders;
   BakeSpec bake;
   BaseSpec base;
-  int resample;  ///< as Relief::resample
+  int resample;               ///< as Relief::resample
+  DeclaredMethods& declared;  ///< gets those that are read
 };
 
 /// One `[[method]]`.
