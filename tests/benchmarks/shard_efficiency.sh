@@ -1,10 +1,16 @@
 #!/bin/bash
 # How much processor time is lost when a run is divided: that of one shard over that of many, on cases
-# of equal kind: a sweep of the light's azimuth over the columns on a sphere of Figure 4.
-#   shard_efficiency.sh GNOMON [CASES [SHARDS]]        GNOMON: build/release/gnomon
+# of equal kind: a sweep over the columns on a sphere of Figure 4, of their height, where every case has
+# a mesh of its own, or of the light's azimuth, where all cases of a run share one.
+#   shard_efficiency.sh GNOMON [CASES [SHARDS [height|light]]]        GNOMON: build/release/gnomon
 # Prints seconds of the processor, user and system, of one shard, of all, and of merge.
 set -eu
-gnomon=$(realpath "$1") cases=${2:-320} shards=${3:-64}
+gnomon=$(realpath "$1") cases=${2:-128} shards=${3:-64} kind=${4:-height}
+case $kind in
+  height) key=relief.height first=2 last=6 ;;
+  light) key=light.0.azimuth first=0 last=300 ;;
+  *) echo "height or light expected, $kind found" >&2; exit 2 ;;
+esac
 scenes=$(realpath "$(dirname "$0")/../../scenes")
 work=$(mktemp -d /tmp/gnomon-efficiency-XXXXXX)
 trap 'rm -rf "$work"' EXIT
@@ -18,8 +24,8 @@ azimuth = 0
 elevation = 30
 
 [sweep]
-key = "light.0.azimuth"
-values = [$(seq -s ', ' 0 "$(awk "BEGIN { print 300 / $cases }")" 300 | cut -d, -f "1-$cases")]
+key = "$key"
+values = [$(awk "BEGIN { for (i = 0; i < $cases; ++i) printf \"%s%.6g\", i ? \", \" : \"\", $first + ($last - $first) * i / $cases }")]
 T
 options="--quick --metrics-only"
 TIMEFORMAT='%U %S'

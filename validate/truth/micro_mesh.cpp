@@ -31,6 +31,36 @@ std::size_t cellOf(const std::vector<double>& lines, double at) {
   return k;
 }
 
+/// A parameter's place among the lines of a grid.
+struct LinePlace {
+  std::size_t cell;
+  double share;  ///< of the cell, from its first line
+  double width;  ///< of the cell
+};
+
+/// A place on a line, within parameterRounding, counts to the cell after it where the step from it
+/// goes forward, else to the one before.
+LinePlace linePlace(const std::vector<double>& lines, double at, bool forward) {
+  std::size_t cell = cellOf(lines, at);
+  if (forward) {
+    if (cell + 2 < lines.size() && at > lines[cell + 1] - parameterRounding) ++cell;
+  } else {
+    if (cell > 0 && at < lines[cell] + parameterRounding) --cell;
+  }
+  const double width = lines[cell + 1] - lines[cell];
+  return {cell, std::clamp((at - lines[cell]) / width, 0.0, 1.0), width};
+}
+
+/// Whether a place lies in the triangle at the cell's first corner: a + b < 1. On the diagonal,
+/// within parameterRounding, it does where the step from it leads there.
+bool isLower(const LinePlace& a, const LinePlace& b, const Vec2& step) {
+  const double beyond = a.share + b.share - 1;
+  const double rounding = parameterRounding * (1 / a.width + 1 / b.width);
+  const Vec2 inCells(step.x / a.width, step.y / b.width);
+  if (std::abs(beyond) > rounding) return beyond < 0;
+  return inCells.x + inCells.y < -1e-5 * glm::length(inCells);
+}
+
 Vec3 cageCentre(const surface::LimitSurface& surface) {
   Vec3 low(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
@@ -119,40 +149,6 @@ void MicroMesh::measureExtent() {
 Vec3 MicroMesh::vertex(std::size_t index) const {
   return {coordinates_[3 * index], coordinates_[3 * index + 1], coordinates_[3 * index + 2]};
 }
-
-namespace {
-
-/// A parameter's place among the lines of a grid.
-struct LinePlace {
-  std::size_t cell;
-  double share;  ///< of the cell, from its first line
-  double width;  ///< of the cell
-};
-
-/// A place on a line, within parameterRounding, counts to the cell after it where the step from it
-/// goes forward, else to the one before.
-LinePlace linePlace(const std::vector<double>& lines, double at, bool forward) {
-  std::size_t cell = cellOf(lines, at);
-  if (forward) {
-    if (cell + 2 < lines.size() && at > lines[cell + 1] - parameterRounding) ++cell;
-  } else {
-    if (cell > 0 && at < lines[cell] + parameterRounding) --cell;
-  }
-  const double width = lines[cell + 1] - lines[cell];
-  return {cell, std::clamp((at - lines[cell]) / width, 0.0, 1.0), width};
-}
-
-/// Whether a place lies in the triangle at the cell's first corner: a + b < 1. On the diagonal,
-/// within parameterRounding, it does where the step from it leads there.
-bool isLower(const LinePlace& a, const LinePlace& b, const Vec2& step) {
-  const double beyond = a.share + b.share - 1;
-  const double rounding = parameterRounding * (1 / a.width + 1 / b.width);
-  const Vec2 inCells(step.x / a.width, step.y / b.width);
-  if (std::abs(beyond) > rounding) return beyond < 0;
-  return inCells.x + inCells.y < -1e-5 * glm::length(inCells);
-}
-
-}  // namespace
 
 Facet MicroMesh::facet(int face, double s, double t, const Vec2& toward) const {
   const surface::FaceGrid& grid = grids_.faces()[static_cast<std::size_t>(face)];
