@@ -27,7 +27,6 @@ using gnomon::Vec3;
 using gnomon::benchmarks::Figure8Patch;
 using gnomon::benchmarks::RawRays;
 using gnomon::relief::Relief;
-using gnomon::surface::LimitSurface;
 using gnomon::truth::MicroMesh;
 using gnomon::truth::MicroScene;
 using gnomon::truth::TraceSettings;
