@@ -26,7 +26,6 @@ namespace {
 using gnomon::Vec3;
 using gnomon::benchmarks::Figure8Patch;
 using gnomon::benchmarks::RawRays;
-using gnomon::relief::Relief;
 using gnomon::truth::MicroMesh;
 using gnomon::truth::MicroScene;
 using gnomon::truth::TraceSettings;
