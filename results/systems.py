@@ -3,11 +3,13 @@
 
     gnomon run scenes/*.toml scenes/bodies/*.toml --out out      on each of them
     results/systems.py out-a out-b                               compares the masks of both
+    results/systems.py --references out                          compares runs in full form with references
 
 Prints a line of Markdown for every study: its masks, how many of them differ at all, the truth's and
 the method's mask that differ most, as shares of their samples, and the figures that differ by more
-than the least tolerance of a reference (0.1 points). Exit status 0, whatever differs; 3 where a study or
-mask is missing on one side.
+than the least tolerance of a reference (0.1 points). With --references it names the values of the
+references that the runs are off by more than their tolerance. Exit status 0, whatever differs; 3 where a
+study, mask or value is missing on one side.
 """
 
 import csv
@@ -20,6 +22,7 @@ import tempfile
 
 PROGRAM = os.environ.get("GNOMON_PROGRAM", "gnomon")
 LEAST_TOLERANCE = 0.001  # leastRateTolerance of validate/study/judge/baseline.cpp
+REFERENCES = pathlib.Path(__file__).resolve().parent
 RATES = ("error_rate", "false_shadow", "false_light", "prevalence")
 
 
@@ -89,6 +92,42 @@ def largest(masks):
     return f"{100 * share:.4f}" + (f" ({name})" if share > 0 else "")
 
 
+def figures(table):
+    """Rows over all samples of a table of figures, by method, view, light and answer."""
+    with open(table, newline="", encoding="utf-8") as file:
+        return {tuple(row[name] for name in ("method", "view", "light", "answer")): row
+                for row in csv.DictReader(file) if row["region"] == "all"}
+
+
+def against_references(results):
+    """Holds every value of the references, which lie by folders as the runs do, against its run."""
+    count = 0
+    beyond = []
+    for path in sorted(REFERENCES.glob("**/reference/*.json")):
+        folder = pathlib.Path(results) / path.parent.parent.relative_to(REFERENCES)
+        tables = {}
+        for value in json.loads(path.read_text(encoding="utf-8"))["values"]:
+            study = folder / value["study"]
+            if study not in tables:
+                if not (study / "metrics.csv").exists():
+                    sys.stderr.write(f"systems.py: {study}: no metrics.csv found\n")
+                    sys.exit(3)
+                tables[study] = figures(study / "metrics.csv")
+            row = tables[study].get(tuple(value[name] for name in ("method", "view", "light", "answer")))
+            if row is None or not row[value["metric"]]:
+                sys.stderr.write(f"systems.py: {study}: no {value['metric']} of {value['method']} found\n")
+                sys.exit(3)
+            count += 1
+            change = abs(float(row[value["metric"]]) - value["value"])
+            if change > value["tolerance"]:
+                beyond.append((change, value))
+    print("| study | method | view, light, answer | metric | moved by | tolerance |\n|---|---|---|---|---|---|")
+    for change, value in beyond:
+        print(f"| `{value['study']}` | `{value['method']}` | {value['view']}, {value['light']}, {value['answer']} "
+              f"| {value['metric']} | {change:.4f} | {value['tolerance']:.4f} |")
+    print(f"\nValues of references: {count}, beyond their tolerance: {len(beyond)}")
+
+
 def main(results_a, results_b):
     folders_a = mask_folders(results_a)
     folders_b = mask_folders(results_b)
@@ -111,5 +150,8 @@ def main(results_a, results_b):
 
 if __name__ == "__main__":
     if len(sys.argv) != 3:
-        sys.exit("usage: results/systems.py RESULTS RESULTS")
-    main(*sys.argv[1:])
+        sys.exit("usage: results/systems.py RESULTS RESULTS, or --references RESULTS")
+    if sys.argv[1] == "--references":
+        against_references(sys.argv[2])
+    else:
+        main(*sys.argv[1:])
