@@ -47,7 +47,8 @@ std::vector<VariedMethod> variedOf(const toml::table& method, std::size_t of,
     for (const toml::node& value : *list) {
       const std::string text = tomlValueText(value);
       varied.push_back(
-          {of, name, text, labelled(withSetting(method, name, value), what + " " + text)});
+          {of, name, text,
+           labelled(withSetting(method, name, value), fmt::format("{} {}", what, text))});
     }
   }
   return varied;
