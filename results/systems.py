@@ -63,18 +63,17 @@ def compared(folder_a, folder_b):
     return [(pathlib.Path(pair["candidate"]["file"]).stem, pair["error_rate"] or 0.0) for pair in pairs]
 
 
-def rates(table):
-    """The rates of every row of a table of figures, by what identifies the row."""
-    found = {}
+def figures(table):
+    """Rows over all samples of a table of figures, by method, view, light and answer."""
     with open(table, newline="", encoding="utf-8") as file:
-        for row in csv.DictReader(file):
-            if row.get("region", "all") != "all":
-                continue
-            key = tuple(row.get(name, "") for name in ("method", "view", "light", "answer"))
-            for metric in RATES:
-                if row.get(metric):
-                    found[key + (metric,)] = float(row[metric])
-    return found
+        return {tuple(row[name] for name in ("method", "view", "light", "answer")): row
+                for row in csv.DictReader(file) if row["region"] == "all"}
+
+
+def rates(table):
+    """The rates of a table of figures, by row and metric."""
+    return {key + (metric,): float(row[metric])
+            for key, row in figures(table).items() for metric in RATES if row.get(metric)}
 
 
 def moved(folder_a, folder_b):
@@ -90,13 +89,6 @@ def largest(masks):
         return "–"
     name, share = max(masks, key=lambda mask: mask[1])
     return f"{100 * share:.4f}" + (f" ({name})" if share > 0 else "")
-
-
-def figures(table):
-    """Rows over all samples of a table of figures, by method, view, light and answer."""
-    with open(table, newline="", encoding="utf-8") as file:
-        return {tuple(row[name] for name in ("method", "view", "light", "answer")): row
-                for row in csv.DictReader(file) if row["region"] == "all"}
 
 
 def against_references(results):

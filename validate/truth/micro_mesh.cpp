@@ -31,6 +31,9 @@ std::size_t cellOf(const std::vector<double>& lines, double at) {
   return k;
 }
 
+// A step whose part across a line is less than this share of it runs along the line.
+constexpr double alongLine = 1e-5;
+
 /// A parameter's place among the lines of a grid.
 struct LinePlace {
   std::size_t cell;
@@ -56,9 +59,9 @@ LinePlace linePlace(const std::vector<double>& lines, double at, bool forward) {
 bool isLower(const LinePlace& a, const LinePlace& b, const Vec2& step) {
   const double beyond = a.share + b.share - 1;
   const double rounding = parameterRounding * (1 / a.width + 1 / b.width);
-  const Vec2 inCells(step.x / a.width, step.y / b.width);
   if (std::abs(beyond) > rounding) return beyond < 0;
-  return inCells.x + inCells.y < -1e-5 * glm::length(inCells);
+  const Vec2 inCells(step.x / a.width, step.y / b.width);
+  return inCells.x + inCells.y < -alongLine * glm::length(inCells);
 }
 
 Vec3 cageCentre(const surface::LimitSurface& surface) {
@@ -152,7 +155,7 @@ Vec3 MicroMesh::vertex(std::size_t index) const {
 
 Facet MicroMesh::facet(int face, double s, double t, const Vec2& toward) const {
   const surface::FaceGrid& grid = grids_.faces()[static_cast<std::size_t>(face)];
-  const double none = -1e-5 * glm::length(toward);
+  const double none = -alongLine * glm::length(toward);
   const LinePlace a = linePlace(grids_.sLines(grid), s, toward.x >= none);
   const LinePlace b = linePlace(grids_.tLines(grid), t, toward.y >= none);
   // Embree cuts a grid's cell as Diagonal::acrossOrigin does.

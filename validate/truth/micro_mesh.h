@@ -17,9 +17,9 @@ namespace gnomon::truth {
 constexpr double standardRayOffset = 1e-6;
 
 /// How far the parameters of a sample may be off, of a face's side: they are floats that GL
-/// interpolates, otherwise on every processor. Grid lines run through texel centres, and so do many
-/// samples of an atlas, which then lie on the edges of several facets; which of them is a sample's
-/// own must not depend on that rounding.
+/// interpolates, and each processor rounds them in its own way. Grid lines run through texel
+/// centres, and many samples of an atlas lie on them too, where several facets meet; which of these
+/// is a sample's own must not depend on that rounding.
 constexpr double parameterRounding = 1e-6;
 
 /// A flat piece of the displaced surface.
@@ -73,6 +73,7 @@ class MicroMesh {
 
   /// The facet above (s, t) of a face, and the point on it: no search, no ray. Of facets that meet
   /// there, within parameterRounding, it is the one that a step from the place leads onto.
+  /// It is always one of this face, at a border too.
   /// @param toward  the step's direction in (s, t), of any length. Along an axis where it has no
   ///   part, less than 1e-5 of it, the step goes toward larger s or t, and so it does where it is
   ///   zero.
