@@ -6,24 +6,30 @@
     results/systems.py --references out                          compares runs in full form with references
 
 Prints a line of Markdown for every study: its masks, how many of them differ at all, the truth's and
-the method's mask that differ most, as shares of their samples, and the figures that differ by more
-than the least tolerance of a reference (0.1 points). With --references it names the values of the
-references that the runs are off by more than their tolerance. Exit status 0, whatever differs; 3 where a
-study, mask or value is missing on one side.
+the method's mask that differ most, as shares of their samples, and the largest change of a
+rate; below them, in how many studies it is more than the least tolerance of a reference. With --references
+it names the values of the references that the runs are off by more than their tolerance. Exit status 0,
+whatever differs; 3 where a study, mask or value is missing on one side.
 """
 
 import csv
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 
 PROGRAM = os.environ.get("GNOMON_PROGRAM", "gnomon")
-LEAST_TOLERANCE = 0.001  # leastRateTolerance of validate/study/judge/baseline.cpp
 REFERENCES = pathlib.Path(__file__).resolve().parent
+RULE = REFERENCES.parent / "validate/study/judge/baseline.h"
 RATES = ("error_rate", "false_shadow", "false_light", "prevalence")
+
+
+def least_tolerance():
+    """The least tolerance of a reference for a rate, a share, from the header that states it."""
+    return float(re.search(r"leastRateTolerance = ([0-9.]+);", RULE.read_text(encoding="utf-8")).group(1))
 
 
 def mask_folders(results):
@@ -48,19 +54,41 @@ def completed(folder, names, place):
     return place
 
 
+def comparison(candidate, truth):
+    """What the program says of two masks or two folders of them; its message where it cannot compare them."""
+    run = subprocess.run([PROGRAM, "compare", candidate, truth, "--json", "-"], capture_output=True, text=True)
+    return json.loads(run.stdout) if run.returncode == 0 else run.stderr
+
+
+def compared_pair(mask_a, mask_b):
+    """The comparison of two masks. At an outline one of them may have a sample that the other lacks: a
+    truth may lack samples, a candidate may not."""
+    for pair in ((mask_a, mask_b), (mask_b, mask_a)):
+        result = comparison(*pair)
+        if isinstance(result, dict):
+            return result
+    sys.stderr.write(result)
+    sys.exit(3)
+
+
+def differing(pair):
+    """Samples that differ in a pair, of those that one of both has, as a share."""
+    outline = abs(pair["candidate"]["none"] - pair["truth"]["none"])
+    return ((pair["error_rate"] or 0.0) * pair["samples"] + outline) / max(pair["samples"] + outline, 1)
+
+
 def compared(folder_a, folder_b):
     """(name, share of samples that differ) of every mask of two folders."""
     names = {mask.name for folder in (folder_a, folder_b) for mask in pathlib.Path(folder).iterdir()}
     with tempfile.TemporaryDirectory() as folder:
-        pair = [completed(masks, names, pathlib.Path(folder) / side)
+        a, b = [completed(masks, names, pathlib.Path(folder) / side)
                 for side, masks in (("a", folder_a), ("b", folder_b))]
-        run = subprocess.run([PROGRAM, "compare", *pair, "--json", "-"], capture_output=True, text=True)
-    if run.returncode != 0:
-        sys.stderr.write(run.stderr)
-        sys.exit(3)
-    result = json.loads(run.stdout)
-    pairs = result["pairs"] if "pairs" in result else [result]
-    return [(pathlib.Path(pair["candidate"]["file"]).stem, pair["error_rate"] or 0.0) for pair in pairs]
+        result = comparison(a, b)
+        if isinstance(result, dict):
+            pairs = result["pairs"] if "pairs" in result else [result]
+        else:
+            pairs = [compared_pair(a / name, b / name) for name in sorted(names)]
+    return [(pathlib.Path(pair["candidate"]["file"]).stem, differing(pair)) for pair in pairs]
 
 
 def figures(table):
@@ -127,17 +155,18 @@ def main(results_a, results_b):
         sys.exit(f"systems.py: {', '.join(missing)}: only one of the two folders has it")
     print("| study | masks | differ | truth, % | method, % | rate, points |")
     print("|---|---|---|---|---|---|")
+    least = least_tolerance()
     beyond = 0
     for name, folder_a in folders_a.items():
         masks = compared(folder_a, folders_b[name])
         truths = [mask for mask in masks if "_truth" in mask[0]]
         methods = [mask for mask in masks if "_truth" not in mask[0]]
         change = moved(folder_a.parent, folders_b[name].parent)
-        beyond += change > LEAST_TOLERANCE
+        beyond += change > least
         differ = sum(share > 0 for _, share in masks)
         print(f"| `{name}` | {len(masks)} | {differ} | {largest(truths)} | {largest(methods)} "
               f"| {100 * change:.4f} |", flush=True)
-    print(f"\nStudies with a rate that moved by more than {100 * LEAST_TOLERANCE:g} points: {beyond}")
+    print(f"\nStudies with a rate that moved by more than {100 * least:g} points: {beyond}")
 
 
 if __name__ == "__main__":

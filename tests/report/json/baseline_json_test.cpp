@@ -129,7 +129,7 @@ TEST_F(BaselineFile, WithValuesThatMakeNoSenseIsRefused) {
   EXPECT_EQ(
       failureWith("/values/0/tolerance", 0.026),
       "sample.json: values.0.tolerance: 0.026 found, at most 0.025 expected: twice the spread, "
-      "or 0.001");
+      "or 0.0015");
   EXPECT_THAT(failureWith("/values/0/tolerance", 1e9), HasSubstr("at most 0.025 expected"));
   EXPECT_THAT(failureWith("/values/1/metric", "error_rate"),
               HasSubstr("values.1.metric: a second value"));

@@ -59,9 +59,9 @@ TEST(Baseline, ToleranceIsWiderThanTheSpreadWhateverThatIs) {
       EXPECT_GT(toleranceOf(metric, spread), spread) << metric;
     }
   }
-  EXPECT_EQ(toleranceOf("error_rate", 0), 0.001);
+  EXPECT_EQ(toleranceOf("error_rate", 0), leastRateTolerance);
   EXPECT_EQ(toleranceOf("error_rate", 0.004), 0.008);
-  EXPECT_EQ(toleranceOf("shadow_length_ratio", 0), 0.02);
+  EXPECT_EQ(toleranceOf("shadow_length_ratio", 0), leastLengthTolerance);
 }
 
 TEST(Baseline, HoldsEveryMetricOfTheWholeRegionWithItsSpread) {

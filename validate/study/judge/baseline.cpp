@@ -18,9 +18,6 @@
 namespace gnomon::study {
 namespace {
 
-constexpr double leastRateTolerance = 0.001;
-constexpr double leastLengthTolerance = 0.02;
-
 constexpr std::array<std::string_view, 5> metrics = {"error_rate", "false_shadow", "false_light",
                                                      "shadow_length_ratio", "prevalence"};
 
