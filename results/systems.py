@@ -79,7 +79,8 @@ def differing(pair):
 
 def compared(folder_a, folder_b):
     """(name, share of samples that differ) of every mask of two folders."""
-    names = {mask.name for folder in (folder_a, folder_b) for mask in pathlib.Path(folder).iterdir()}
+    names = {mask.name for folder in (folder_a, folder_b) for mask in pathlib.Path(folder).iterdir()
+             if mask.is_file()}
     with tempfile.TemporaryDirectory() as folder:
         a, b = [completed(masks, names, pathlib.Path(folder) / side)
                 for side, masks in (("a", folder_a), ("b", folder_b))]
