@@ -120,6 +120,11 @@ def largest(masks):
     return f"{100 * share:.4f}" + (f" ({name})" if share > 0 else "")
 
 
+def count(masks):
+    """How many of the masks differ at all."""
+    return sum(share > 0 for _, share in masks)
+
+
 def against_references(results):
     """Holds every value of the references, which lie by folders as the runs do, against its run."""
     count = 0
@@ -158,16 +163,19 @@ def main(results_a, results_b):
     print("|---|---|---|---|---|---|")
     least = least_tolerance()
     beyond = 0
+    all_masks, all_truths = [], []
     for name, folder_a in folders_a.items():
         masks = compared(folder_a, folders_b[name])
         truths = [mask for mask in masks if "_truth" in mask[0]]
         methods = [mask for mask in masks if "_truth" not in mask[0]]
+        all_masks += masks
+        all_truths += truths
         change = moved(folder_a.parent, folders_b[name].parent)
         beyond += change > least
-        differ = sum(share > 0 for _, share in masks)
-        print(f"| `{name}` | {len(masks)} | {differ} | {largest(truths)} | {largest(methods)} "
+        print(f"| `{name}` | {len(masks)} | {count(masks)} | {largest(truths)} | {largest(methods)} "
               f"| {100 * change:.4f} |", flush=True)
-    print(f"\nStudies with a rate that moved by more than {100 * least:g} points: {beyond}")
+    print(f"\nMasks: {len(all_masks)}, that differ: {count(all_masks)}, of a truth: {count(all_truths)}")
+    print(f"Studies with a rate that moved by more than {100 * least:g} points: {beyond}")
 
 
 if __name__ == "__main__":
