@@ -6,6 +6,7 @@
 
 #include "image/channel_image.h"
 #include "study/spec/study_file_fixture.h"
+#include "study/spec/study_parts.h"
 #include "support/scene_files.h"
 
 namespace gnomon::study {
@@ -163,6 +164,22 @@ TEST_F(StudyFile, AMethodMayBeAFileBesideIt) {
   EXPECT_EQ(study.methods[0].bake.settings.azimuths, 8);
   EXPECT_EQ(study.methods[0].base.subdivisions, 5);
   EXPECT_EQ(study.methods[1].bake.settings.azimuths, 12);
+}
+
+TEST_F(StudyFile, StudiesThatShareTheirPartsReadAMethodOnce) {
+  std::ofstream(file("mine.glsl"))
+      << "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\nazimuths = 12\n*/\n"
+         "bool isShadowed(Pixel pixel, LocalLight light) { return false; }\n";
+  const StudyText text{file("plain.toml"), plainStudy + "[[method]]\nfile = \"mine.glsl\"\n"};
+  const auto azimuthsWith = [&](StudyParts& parts) {
+    return readStudy(text, {}, parts).methods.back().bake.settings.azimuths;
+  };
+  StudyParts parts;
+  EXPECT_EQ(azimuthsWith(parts), 12);
+  std::ofstream(file("mine.glsl")) << "no method";
+  EXPECT_EQ(azimuthsWith(parts), 12);
+  StudyParts others;
+  EXPECT_THROW((void)azimuthsWith(others), InputError);
 }
 
 TEST_F(StudyFile, OnlyTheMethodsAskedForStay) {
