@@ -47,6 +47,24 @@ TEST(SceneStore, LeastRecentlyUsedMakeRoom) {
   EXPECT_EQ(counting.made, 4);
 }
 
+TEST(SceneStore, HoldsSoManyValuesOfOneTypeAtMost) {
+  constexpr int most = SceneStore::mostOfAType;
+  Counting counting;
+  const auto other = [&] { return counting.store.held<std::string>(keyOf(0)) != nullptr; };
+  (void)counting.store.get<std::string>(
+      keyOf(0), [] { return std::make_shared<const std::string>("other"); },
+      [](const std::string&) { return std::uint64_t{0}; });
+  for (int number = 0; number < most; ++number) (void)counting.get(number, 0);
+  (void)counting.get(0, 0);
+  EXPECT_EQ(counting.made, most) << "all are there";
+  (void)counting.get(most, 0);
+  (void)counting.get(0, 0);
+  EXPECT_EQ(counting.made, most + 1) << "0 was used after 1";
+  (void)counting.get(1, 0);
+  EXPECT_EQ(counting.made, most + 2);
+  EXPECT_TRUE(other()) << "of another type";
+}
+
 TEST(SceneStore, KeepsNothingThatIsLargerThanItself) {
   Counting counting;
   (void)counting.get(1, 60);

@@ -1,6 +1,7 @@
 #include "study/run/scene/scene_store.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "common/system/memory.h"
@@ -30,11 +31,17 @@ std::shared_ptr<const void> SceneStore::find(const Name& name) {
   return entries_.front().value;
 }
 
+void SceneStore::letGo(std::list<Entry>::const_iterator entry) {
+  bytes_ -= entry->bytes;
+  entries_.erase(entry);
+}
+
 void SceneStore::keep(const Name& name, std::shared_ptr<const void> value, std::uint64_t bytes) {
   if (bytes > mostBytes_) return;
-  while (bytes_ > mostBytes_ - bytes) {
-    bytes_ -= entries_.back().bytes;
-    entries_.pop_back();
+  while (bytes_ > mostBytes_ - bytes) letGo(std::prev(entries_.end()));
+  const auto isOfType = [&](const Entry& entry) { return entry.name.type == name.type; };
+  if (std::count_if(entries_.begin(), entries_.end(), isOfType) == mostOfAType) {
+    letGo(std::prev(std::find_if(entries_.rbegin(), entries_.rend(), isOfType).base()));
   }
   entries_.push_front({name, std::move(value), bytes});
   bytes_ += bytes;

@@ -18,6 +18,10 @@ namespace gnomon::study {
 /// objects among the values, for the life of a context.
 class SceneStore {
  public:
+  /// Values of one type that are held at most: a hierarchy's device holds one of the 1,024 keys of
+  /// thread-specific data that a process has, and where none is left the next device fails.
+  static constexpr int mostOfAType = 256;
+
   /// @param mostBytes  that the values may take together; the least recently used make room
   explicit SceneStore(std::uint64_t mostBytes = shareOfMemory());
   SceneStore(const SceneStore&) = delete;
@@ -78,6 +82,7 @@ class SceneStore {
   };
   std::shared_ptr<const void> find(const Name& name);
   void keep(const Name& name, std::shared_ptr<const void> value, std::uint64_t bytes);
+  void letGo(std::list<Entry>::const_iterator entry);
 
   std::uint64_t mostBytes_;
   std::uint64_t bytes_ = 0;
