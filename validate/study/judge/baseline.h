@@ -21,7 +21,7 @@ namespace gnomon::study {
 /// leastRateTolerance or leastLengthTolerance: room for a processor that rounds otherwise.
 
 /// What a value may differ by from one processor to another: rounded up from the largest difference
-/// of a rate, 0.00146, and of a length ratio, 0.0336, over the 48,900 values of all scenes, between
+/// of a rate, 0.00148, and of a length ratio, 0.0336, over the 48,900 values of all scenes, between
 /// AVX-512 and SSE2 (docs/reproducing.md). Two releases of Debian differ by less.
 inline constexpr double leastRateTolerance = 0.0015;
 inline constexpr double leastLengthTolerance = 0.035;
