@@ -57,7 +57,8 @@ bool isLengthMetric(std::string_view metric);
 std::optional<double> spreadOf(const StudyRecord& record, const Case& which,
                                std::string_view metric);
 
-/// The tolerance for a spread: that of rates also for the metrics of boundaries.
+/// The tolerance for a spread: max(2 × spread, least tolerance). Metrics of boundaries have the
+/// least tolerance of rates.
 double toleranceOf(std::string_view metric, double spread);
 
 /// The gate of a committed value: its limits are as far from the value, on the side or sides where
