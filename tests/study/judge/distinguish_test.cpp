@@ -113,5 +113,28 @@ TEST(DifferenceOverViews, IsTheMeanWithTheMeanOfTheEnds) {
   EXPECT_FALSE(differenceOverViews(record, "a", "c"));
 }
 
+TEST(DifferencesOverViews, HasEveryPairThatSharesAView) {
+  StudyRecord record = twoViews();
+  DifferenceRecord other = row("camera", "all", 0.2, compare::Interval{0.1, 0.3}, 0.003);
+  other.second = "c";
+  record.differences.push_back(other);
+  const auto means = differencesOverViews(record, {"c", "b", "a"});
+  ASSERT_EQ(means.size(), 2U) << "b and c share no view";
+  EXPECT_EQ(means[0].first, "c");
+  EXPECT_EQ(means[0].second, "a");
+  EXPECT_EQ(means[0].difference, -0.2);
+  EXPECT_EQ(means[1].first, "b");
+  EXPECT_EQ(means[1].second, "a");
+  EXPECT_DOUBLE_EQ(means[1].difference, -0.02);
+  EXPECT_EQ(differencesOverViews(record, {"a", "b"}).size(), 1U);
+}
+
+TEST(DifferencesIn, AreThoseOfAViewAndALight) {
+  const StudyRecord record = twoViews();
+  ASSERT_EQ(differencesIn(record, "atlas", "dusk").size(), 1U);
+  EXPECT_EQ(differencesIn(record, "atlas", "dusk")[0].difference, 0.01);
+  EXPECT_TRUE(differencesIn(record, "camera", "dusk").empty());
+}
+
 }  // namespace
 }  // namespace gnomon::study

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
@@ -53,8 +54,8 @@ Cell caseCell(const study::StudyRecord& record, const study::ResultRecord& drawn
   return column.quantity == Quantity::ratio ? lengthCell(*of, metric) : metricCell(metric);
 }
 
-bool isAlike(const std::optional<study::DifferenceRecord>& difference) {
-  return difference && difference->verdict == study::DifferenceVerdict::notDistinguishable;
+bool isAlike(const study::DifferenceRecord& difference) {
+  return difference.verdict == study::DifferenceVerdict::notDistinguishable;
 }
 
 /// One case's results, and the one whose error is the smallest.
@@ -80,14 +81,23 @@ CaseResults resultsOf(const study::StudyRecord& record, const std::vector<std::s
   return results;
 }
 
-Cell methodCell(const study::StudyRecord& record, const std::vector<std::string>& methods,
-                const study::Case& which, const std::string& method) {
-  LikeMethods like;
-  for (const std::string& other : methods) {
-    const auto difference = study::differenceOf(record, which.view, which.light, method, other);
-    if (!isAlike(difference)) continue;
-    (difference->interval ? like.close : like.withoutInterval).push_back(other);
+/// Of each method of a case those that it is not distinguishable from, in the record's order.
+std::map<std::string, LikeMethods> likeMethods(const study::StudyRecord& record,
+                                               const study::Case& which) {
+  std::map<std::string, LikeMethods> like;
+  const auto add = [&](const std::string& method, const std::string& other, bool hasInterval) {
+    LikeMethods& own = like[method];
+    (hasInterval ? own.close : own.withoutInterval).push_back(other);
+  };
+  for (const study::DifferenceRecord& row : study::differencesIn(record, which.view, which.light)) {
+    if (!isAlike(row)) continue;
+    add(row.first, row.second, row.interval.has_value());
+    add(row.second, row.first, row.interval.has_value());
   }
+  return like;
+}
+
+Cell methodCell(const std::string& method, const LikeMethods& like) {
   Cell cell = textCell(method);
   cell.note = indistinguishableText(like);
   return cell;
@@ -153,19 +163,19 @@ Table caseTable(const study::StudyRecord& record, std::span<const study::Case> c
   const std::vector<std::string> methods = study::methodsOf(record);
   for (const study::Case& which : cases) {
     const CaseResults results = resultsOf(record, methods, which);
+    std::map<std::string, LikeMethods> like = likeMethods(record, which);
     for (const study::ResultRecord* result : results.all) {
       Row row;
       // A light's name stands once, in its first row.
       if (namesLights)
         row.cells.push_back(textCell(result == results.all.front() ? which.light : ""));
-      row.cells.push_back(methodCell(record, methods, which, result->method));
+      row.cells.push_back(methodCell(result->method, like[result->method]));
       for (const CaseMetric& metric : caseMetrics) {
         row.cells.push_back(caseCell(record, *result, metric));
       }
-      if (isAlike(study::differenceOf(record, which.view, which.light, result->method,
-                                      results.best->method))) {
-        row.mark = " ≈";
-      }
+      const auto behind = study::differenceOf(record, which.view, which.light, result->method,
+                                              results.best->method);
+      if (behind && isAlike(*behind)) row.mark = " ≈";
       table.rows.push_back(std::move(row));
     }
   }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
 
 namespace gnomon::study {
 namespace {
@@ -65,6 +68,15 @@ DifferenceRecord swapped(DifferenceRecord difference) {
   return difference;
 }
 
+std::vector<DifferenceRecord> differencesIn(const StudyRecord& record, std::string_view view,
+                                            std::string_view light) {
+  const std::string_view named = rowLight(record, view, light);
+  std::vector<DifferenceRecord> rows;
+  std::copy_if(record.differences.begin(), record.differences.end(), std::back_inserter(rows),
+               [&](const auto& row) { return row.view == view && row.light == named; });
+  return rows;
+}
+
 std::optional<DifferenceRecord> differenceOf(const StudyRecord& record, std::string_view view,
                                              std::string_view light, std::string_view first,
                                              std::string_view second) {
@@ -121,16 +133,33 @@ DifferenceRecord meanDifference(const std::vector<DifferenceRecord>& all) {
   return mean;
 }
 
+std::vector<DifferenceRecord> differencesOverViews(const StudyRecord& record,
+                                                   const std::vector<std::string>& labels) {
+  std::map<std::string_view, std::size_t> places;
+  for (std::size_t i = 0; i < labels.size(); ++i) places.emplace(labels[i], i);
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<DifferenceRecord>> views;
+  for (const DifferenceRecord& row : record.differences) {
+    const auto first = places.find(row.first);
+    const auto second = places.find(row.second);
+    if (row.light != allLights || first == places.end() || second == places.end()) continue;
+    if (first->second < second->second) {
+      views[{first->second, second->second}].push_back(row);
+    } else {
+      views[{second->second, first->second}].push_back(swapped(row));
+    }
+  }
+  std::vector<DifferenceRecord> means;
+  means.reserve(views.size());
+  for (const auto& [pair, rows] : views) means.push_back(meanDifference(rows));
+  return means;
+}
+
 std::optional<DifferenceRecord> differenceOverViews(const StudyRecord& record,
                                                     std::string_view first,
                                                     std::string_view second) {
-  std::vector<DifferenceRecord> views;
-  for (const DifferenceRecord& row : record.differences) {
-    if (row.light != allLights) continue;
-    if (row.first == first && row.second == second) views.push_back(row);
-    if (row.first == second && row.second == first) views.push_back(swapped(row));
-  }
-  return views.empty() ? std::nullopt : std::optional(meanDifference(views));
+  std::vector<DifferenceRecord> found =
+      differencesOverViews(record, {std::string(first), std::string(second)});
+  return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
 }
 
 }  // namespace gnomon::study

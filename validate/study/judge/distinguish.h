@@ -43,15 +43,20 @@ Estimate estimateOf(const DifferenceRecord& difference);
 /// The same difference with the two methods exchanged.
 DifferenceRecord swapped(DifferenceRecord difference);
 
+/// All differences of a record in one view, in its order.
+/// @param light  a light's name, or "all"; the only light of a study is both
+std::vector<DifferenceRecord> differencesIn(const StudyRecord& record, std::string_view view,
+                                            std::string_view light);
+
 /// Two methods in one view of a record, the first less the second, whichever of them the record
 /// names first; none where it has no such pair.
-/// @param light  a light's name, or "all"; the only light of a study is both
+/// @param light  as differencesIn
 std::optional<DifferenceRecord> differenceOf(const StudyRecord& record, std::string_view view,
                                              std::string_view light, std::string_view first,
                                              std::string_view second);
 
 /// A method's error rate in one view, with its interval; none where the record has none.
-/// @param light  as differenceOf
+/// @param light  as differencesIn
 std::optional<ConfidenceRecord> findConfidence(const StudyRecord& record, std::string_view view,
                                                std::string_view light, std::string_view method);
 
@@ -67,8 +72,13 @@ std::optional<compare::Interval> meanInterval(const StudyRecord& record, std::st
 /// @param all  one or more
 DifferenceRecord meanDifference(const std::vector<DifferenceRecord>& all);
 
-/// The mean over the views in which both methods answer, all lights together; none where there is
-/// no such view.
+/// Of every two methods the mean over the views in which both answer, all lights together; in the
+/// order of the labels, without the pairs that share no view.
+/// @param labels  of the methods, each once
+std::vector<DifferenceRecord> differencesOverViews(const StudyRecord& record,
+                                                   const std::vector<std::string>& labels);
+
+/// That of two methods, the first less the second; none where they share no view.
 std::optional<DifferenceRecord> differenceOverViews(const StudyRecord& record,
                                                     std::string_view first,
                                                     std::string_view second);

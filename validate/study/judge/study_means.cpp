@@ -72,19 +72,6 @@ std::vector<DifferenceRecord> meanDifferences(std::span<const StudyMeans> steps,
   return means;
 }
 
-std::vector<DifferenceRecord> allDifferences(const StudyRecord& record) {
-  std::vector<DifferenceRecord> all;
-  const std::vector<std::string> labels = methodsOf(record);
-  for (std::size_t first = 0; first < labels.size(); ++first) {
-    for (std::size_t second = first + 1; second < labels.size(); ++second) {
-      if (auto mean = differenceOverViews(record, labels[first], labels[second])) {
-        all.push_back(std::move(*mean));
-      }
-    }
-  }
-  return all;
-}
-
 /// In each case in which some method has an error rate.
 std::vector<std::optional<double>> caseErrors(const StudyRecord& record, const std::string& label) {
   std::vector<std::optional<double>> errors;
@@ -149,7 +136,7 @@ StudyMeans studyMeans(const StudyRecord& record) {
   for (const std::string& label : methodsOf(record)) {
     study.methods.push_back(meansOf(record, label));
   }
-  study.differences = allDifferences(record);
+  study.differences = differencesOverViews(record, methodsOf(record));
   study.suite = suiteNameOf(record);
   if (!study.suite.empty()) study.bins = sceneBins(record);
   study.isSoft = isSoft(record);
