@@ -241,6 +241,7 @@ TEST(ResampledMean, HasNoIntervalForAnErrorThatTheResamplesCannotTell) {
   EXPECT_TRUE(mean.interval(0.005));
   EXPECT_FALSE(mean.interval(0.004));
   EXPECT_THROW((void)mean.interval(0.06), InternalError);
+  EXPECT_THROW((void)mean.interval(0.04), InternalError) << "0.05 / 1.25";
   EXPECT_THROW(ResampledMean(std::vector<double>(3), SceneResamples(4)), InternalError);
   EXPECT_THROW(SceneResamples(0), InternalError);
 }

@@ -60,6 +60,22 @@ std::vector<std::vector<double>> deviatesOf(const std::vector<SceneDeviations>& 
   return deviates;
 }
 
+/// At which place of all t*, falling from 1, an interval of an error ends; 0 where the resamples
+/// are too few to tell so small an error.
+std::size_t placeOf(double error, std::size_t resamples) {
+  return static_cast<std::size_t>(error * (1 + static_cast<double>(resamples)) + rounding);
+}
+
+/// The places of the errors largestError / k, k = 1, 2, …, falling: some 2 √(largestError B).
+std::vector<std::size_t> placesOf(std::size_t resamples) {
+  std::vector<std::size_t> places;
+  for (double k = 1;; ++k) {
+    const std::size_t place = placeOf(ResampledMean::largestError / k, resamples);
+    if (place == 0) return places;
+    if (places.empty() || place < places.back()) places.push_back(place);
+  }
+}
+
 }  // namespace
 
 std::size_t resamplesFor(std::size_t comparisons) {
@@ -110,6 +126,7 @@ std::vector<ResampledMean> ResampledMean::ofAll(std::span<const std::vector<doub
     }
     means.push_back(ResampledMean(values, resamples.count()));
   }
+  const std::vector<std::size_t> places = placesOf(resamples.count());
   for (std::size_t first = 0; first < sets.size(); first += lanes) {
     const std::size_t count = std::min(lanes, sets.size() - first);
     std::vector<SceneDeviations> scenes(resamples.scenes());
@@ -127,34 +144,35 @@ std::vector<ResampledMean> ResampledMean::ofAll(std::span<const std::vector<doub
     if (!isAny) continue;
     std::vector<std::vector<double>> deviates = deviatesOf(scenes, count, resamples);
     for (std::size_t lane = 0; lane < count; ++lane) {
-      if (means[first + lane].reason_.empty()) means[first + lane].setDeviates(deviates[lane]);
+      if (means[first + lane].reason_.empty())
+        means[first + lane].setDeviates(deviates[lane], places);
     }
   }
   return means;
 }
 
-void ResampledMean::setDeviates(std::vector<double>& all) {
+void ResampledMean::setDeviates(std::vector<double>& all, const std::vector<std::size_t>& places) {
   const double found = std::abs(mean_) / standardError_;
   const auto reached = std::count_if(all.begin(), all.end(), [&](double t) { return t >= found; });
   probabilityOfZero_ = (1 + static_cast<double>(reached)) / (1 + static_cast<double>(resamples_));
-  const auto kept =
-      all.begin() +
-      std::min(static_cast<std::ptrdiff_t>(largestError * static_cast<double>(resamples_) + 2),
-               std::ssize(all));
-  std::nth_element(all.begin(), kept, all.end(), std::greater<>());
+  if (places.empty()) return;
+  const auto kept = all.begin() + static_cast<std::ptrdiff_t>(places.front());
+  std::nth_element(all.begin(), kept - 1, all.end(), std::greater<>());
   std::sort(all.begin(), kept, std::greater<>());
-  largest_.assign(all.begin(), kept);
+  largest_.reserve(places.size());
+  for (const std::size_t place : places) largest_.push_back({place, all[place - 1]});
 }
 
 std::optional<Interval> ResampledMean::interval(double error) const {
-  if (error > largestError + rounding) {
+  const std::size_t place = placeOf(error, resamples_);
+  if (!reason_.empty() || place < 1) return std::nullopt;
+  const auto found = std::find_if(largest_.begin(), largest_.end(),
+                                  [&](const Deviate& deviate) { return deviate.place == place; });
+  if (found == largest_.end()) {
     throw InternalError(
-        fmt::format("an error of {} found, {} or less expected", error, largestError));
+        fmt::format("an error of {} found, {} over a whole number expected", error, largestError));
   }
-  const auto place =
-      static_cast<std::size_t>(error * (1 + static_cast<double>(resamples_)) + rounding);
-  if (!reason_.empty() || place < 1 || place > largest_.size()) return std::nullopt;
-  const double half = largest_[place - 1] * standardError_;
+  const double half = found->value * standardError_;
   if (!std::isfinite(half)) return std::nullopt;
   return Interval{mean_ - half, mean_ + half};
 }

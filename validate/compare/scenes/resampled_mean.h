@@ -62,7 +62,8 @@ class ResampledMean {
 
   /// v̄ ± q s / √n, where q is what a share `error` of all t* reaches or exceeds, rounded to the
   /// wider side. It leaves out 0 just where probabilityOfZero() is no more than `error`.
-  /// @param error  0.05 for 95 %; largestError or less
+  /// @param error  0.05 for 95 %; largestError over a whole number, as corrections for the number
+  ///   of comparisons ask for: a mean keeps the t* that these need alone
   /// @returns none where there is a reason, and where the resamples are too few to tell so small an
   ///   error or some of them too uniform
   [[nodiscard]] std::optional<Interval> interval(double error) const;
@@ -77,14 +78,21 @@ class ResampledMean {
   /// All but what resamples tell.
   ResampledMean(std::span<const double> values, std::size_t resamples);
   /// @param all  the t*, one a resample; their order is lost
-  void setDeviates(std::vector<double>& all);
+  /// @param places  of those to keep, from 1 for the largest, falling
+  void setDeviates(std::vector<double>& all, const std::vector<std::size_t>& places);
+
+  /// A t*, and how many are at least as large.
+  struct Deviate {
+    std::size_t place;
+    double value;
+  };
 
   double mean_ = 0;
   double standardError_ = 0;
   double probabilityOfZero_ = 1;
   std::string_view reason_;
   std::size_t resamples_ = 0;
-  std::vector<double> largest_;  ///< of the t*, falling; as many as `largestError` asks for
+  std::vector<Deviate> largest_;  ///< at the places that were to be kept
 };
 
 }  // namespace gnomon::compare
