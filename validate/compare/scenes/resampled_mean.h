@@ -66,6 +66,7 @@ class ResampledMean {
   ///   of comparisons ask for: a mean keeps the t* that these need alone
   /// @returns none where there is a reason, and where the resamples are too few to tell so small an
   ///   error or some of them too uniform
+  /// @throws InternalError for any other error
   [[nodiscard]] std::optional<Interval> interval(double error) const;
 
   /// p: how probable a mean at least as far from 0 would be if it estimated 0. With c of the B
