@@ -34,7 +34,8 @@ TEST(FrameTimes, AreTheMedianOfTheFramesAfterTheFirst) {
     std::this_thread::sleep_for(std::chrono::milliseconds(drawn == 0 || drawn == 2 ? 60 : 5));
     ++drawn;
   };
-  const double median = medianFrameMilliseconds(draw, 5, FirstFrame::warmsUp, FrameClock::wall);
+  const double median =
+      medianFrameMilliseconds(draw, {5, 100}, FirstFrame::warmsUp, FrameClock::wall);
   EXPECT_EQ(drawn, 6);
   EXPECT_GE(median, 5);
   EXPECT_LT(median, 60);
@@ -47,7 +48,7 @@ TEST(FrameTimes, OfSlowFramesStopEarly) {
     std::this_thread::sleep_for(std::chrono::milliseconds(150));
     ++drawn;
   };
-  EXPECT_GE(medianFrameMilliseconds(draw, 25, FirstFrame::warmsUp, FrameClock::wall), 150);
+  EXPECT_GE(medianFrameMilliseconds(draw, {}, FirstFrame::warmsUp, FrameClock::wall), 150);
   EXPECT_EQ(drawn, 2);
 }
 
@@ -65,8 +66,8 @@ class Times {
   std::size_t taken_ = 0;
 };
 
-double medianOf(Times& times, int frames = 25) {
-  return medianMilliseconds([&times] { return times(); }, frames, FirstFrame::warmsUp);
+double medianOf(Times& times, FrameLimits limits = {}) {
+  return medianMilliseconds([&times] { return times(); }, limits, FirstFrame::warmsUp);
 }
 
 TEST(FrameTimes, EndOnceTheMedianIsKnown) {
@@ -91,16 +92,30 @@ TEST(FrameTimes, GoOnWhileTheMedianIsNotKnownToTwoPercent) {
   medianOf(apart);
   EXPECT_EQ(apart.counted(), 25U);
   Times few({10});
-  medianOf(few, 5);
+  medianOf(few, {5, 100});
   EXPECT_EQ(few.counted(), 5U);
   Times slow({100});
   medianOf(slow);
   EXPECT_EQ(slow.counted(), 2U);
 }
 
+TEST(FrameTimes, EndAfterTheirTimeWithThreeFramesAtLeast) {
+  Times quick({1.0, 1.03});
+  medianOf(quick, {25, 15});
+  EXPECT_EQ(quick.counted(), 15U);
+  Times longer({10});
+  medianOf(longer, {25, 15});
+  EXPECT_EQ(longer.counted(), 3U);
+  Times disturbed({9, 10, 30, 11});
+  EXPECT_EQ(medianOf(disturbed, {25, 15}), 11);
+  Times slow({150});
+  medianOf(slow, {25, 15});
+  EXPECT_EQ(slow.counted(), 1U);
+}
+
 TEST(FrameTimes, OfWarmFramesCountTheFirst) {
   Times times({30, 10, 20});
-  EXPECT_EQ(medianMilliseconds([&times] { return times(); }, 3, FirstFrame::isWarm), 20);
+  EXPECT_EQ(medianMilliseconds([&times] { return times(); }, {3, 100}, FirstFrame::isWarm), 20);
   EXPECT_EQ(times.taken(), 3U);
 }
 
@@ -109,8 +124,9 @@ TEST(FrameTimes, OfWarmFramesCountTheFirst) {
 TEST(FrameTimes, ByTimerQueriesAreNotNegative) {
   const GlContext gl;
   int drawn = 0;
-  EXPECT_GE(
-      medianFrameMilliseconds([&drawn] { ++drawn; }, 3, FirstFrame::warmsUp, FrameClock::query), 0);
+  EXPECT_GE(medianFrameMilliseconds([&drawn] { ++drawn; }, {3, 100}, FirstFrame::warmsUp,
+                                    FrameClock::query),
+            0);
   EXPECT_EQ(drawn, 4);
 }
 

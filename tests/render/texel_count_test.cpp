@@ -34,7 +34,8 @@ double texelsOf(const RenderScene& scene, const Method& method, double radius = 
     drawn.light = lightToward(20, 30);
     drawn.lightRadius = radius;
     texels =
-        pass.frameCosts(view, drawn, gpu, 1, FirstFrame::isWarm, FrameClock::wall, counter).texels;
+        pass.frameCosts(view, drawn, gpu, {1, 100}, FirstFrame::isWarm, FrameClock::wall, counter)
+            .texels;
   });
   return texels;
 }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "cli/study_plans.h"
+#include "common/parallel.h"
 #include "report/folder_writer.h"
 #include "study/judge/radius_check.h"
 #include "study/run/method_trial.h"
@@ -30,7 +31,7 @@ void MeasuredCases::prepare(const study::StudySpec& study) {
 study::StudyRecord MeasuredCases::measure(const study::StudySpec& study,
                                           report::RunFolder& folder) {
   line_.beginCase(study.name);
-  report::FolderWriter writer(folder);
+  report::FolderWriter writer(folder, [this] { reports_.wait(); });
   return shown(study, [&](const study::StageProgress& progress) {
     return study::runStudy(study, gl_, writer, cache_, store_, progress);
   });
@@ -49,6 +50,11 @@ study::StudyRecord MeasuredCases::measureAt(const study::StudySpec& study, doubl
     return study::measureStudy(study::withRadiusTimes(study, radiusFactor), gl_, cache_, store_,
                                progress);
   });
+}
+
+void MeasuredCases::report(const std::function<void()>& write) {
+  if (threadCount() > 1) return reports_.start(write);
+  write();
 }
 
 }  // namespace gnomon::cli

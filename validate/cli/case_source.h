@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
 #include "cache/cache.h"
 #include "cli/commands/run_command.h"
 #include "cli/terminal_progress.h"
+#include "common/work_beside.h"
 #include "render/gl_context.h"
 #include "report/run_folder.h"
 #include "study/record/record.h"
@@ -30,6 +32,12 @@ class CaseSource {
   virtual study::StudyRecord measureFigures(const study::StudySpec& study) = 0;
   /// The figures alone, at half or at twice the search radius.
   virtual study::StudyRecord measureAt(const study::StudySpec& study, double radiusFactor) = 0;
+  /// Writes a case's report: perhaps while the next case is measured.
+  /// @param write  what it refers to stays until the reports are finished
+  virtual void report(const std::function<void()>& write) { write(); }
+  /// Waits for the reports.
+  /// @throws what the last of them threw; what an earlier one threw leaves `report`
+  virtual void finishReports() {}
 };
 
 /// Measures, and tells how far it is on the terminal, or whom the request names.
@@ -45,6 +53,8 @@ class MeasuredCases final : public CaseSource {
   study::StudyRecord measure(const study::StudySpec& study, report::RunFolder& folder) override;
   study::StudyRecord measureFigures(const study::StudySpec& study) override;
   study::StudyRecord measureAt(const study::StudySpec& study, double radiusFactor) override;
+  void report(const std::function<void()>& write) override;
+  void finishReports() override { reports_.finish(); }
 
  private:
   template <typename Work>
@@ -55,6 +65,7 @@ class MeasuredCases final : public CaseSource {
   cache::Cache& cache_;
   study::SceneStore store_;
   TerminalProgress line_;
+  WorkBeside reports_;
 };
 
 }  // namespace gnomon::cli

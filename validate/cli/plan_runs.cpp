@@ -94,9 +94,9 @@ void measureStep(const study::StudyPlan& plan, const study::StudySpec& step, Cas
   records.all.push_back(std::move(record));
 }
 
-/// Judges a study's claims by what the run holds so far, and writes its reports.
-void report(const study::StudySpec& study, Records& records, std::size_t own,
-            const RunRequest& request, cache::Cache& cache) {
+/// Judges a study's claims by what the run holds so far.
+void judgeRecord(const study::StudySpec& study, Records& records, std::size_t own,
+                 const RunRequest& request) {
   study::StudyRecord& record = records.all[own];
   record.claims = study::judgeClaims(study.claims, records.all, own);
   if (request.varyRadius) {
@@ -104,12 +104,52 @@ void report(const study::StudySpec& study, Records& records, std::size_t own,
     records.twice[own].claims = study::judgeClaims(study.claims, records.twice, own);
     study::keepRadiusChecks(record, records.half[own], records.twice[own]);
   }
-  // The figures of a step are told by its sweep.
-  if (!records.folders.holds(record.name)) return;
-  report::RunFolder& folder = records.folders.of(record.name);
+}
+
+void writeReports(const study::StudyRecord& record, report::RunFolder& folder,
+                  const RunRequest& request, cache::Cache& cache) {
   if (request.metricsOnly) return report::writeFigureFiles(record, folder);
   report::writeRunFiles(record, request.paper, folder, cache);
 }
+
+/// Judges a study's claims and writes its reports.
+void report(const study::StudySpec& study, Records& records, std::size_t own,
+            const RunRequest& request, cache::Cache& cache) {
+  judgeRecord(study, records, own, request);
+  // The figures of a step are told by its sweep.
+  const std::string& name = records.all[own].name;
+  if (!records.folders.holds(name)) return;
+  writeReports(records.all[own], records.folders.of(name), request, cache);
+}
+
+/// The same, the reports perhaps while the next step is measured, of a copy.
+void reportBeside(const study::StudySpec& study, Records& records, std::size_t own,
+                  const RunRequest& request, cache::Cache& cache, CaseSource& cases) {
+  judgeRecord(study, records, own, request);
+  const std::string& name = records.all[own].name;
+  if (!records.folders.holds(name)) return;
+  cases.report([record = records.all[own], &folder = records.folders.of(name), &request, &cache] {
+    writeReports(record, folder, request, cache);
+  });
+}
+
+/// Waits for the reports of a plan, however it ends: they are written to its records' folders.
+class ReportsOfPlan {
+ public:
+  explicit ReportsOfPlan(CaseSource& cases) : cases_(cases) {}
+  ReportsOfPlan(const ReportsOfPlan&) = delete;
+  ReportsOfPlan& operator=(const ReportsOfPlan&) = delete;
+  ~ReportsOfPlan() {
+    try {
+      cases_.finishReports();
+    } catch (...) {  // NOLINT(bugprone-empty-catch): another failure ended the plan
+    }
+  }
+  void finish() { cases_.finishReports(); }
+
+ private:
+  CaseSource& cases_;
+};
 
 /// Whether a claim of the study needs the record of another one, which may be run later.
 bool speaksOfOthers(const study::StudySpec& study) {
@@ -158,16 +198,21 @@ void requireMasks(const study::StudySpec& step) {
 }
 
 void runSteps(const PlanRecords& part, CaseSource& cases, const RunRequest& request,
-              cache::Cache& cache, Records& records, const StepJudge& judge) {
+              cache::Cache& cache, Records& records, const StepJudge& judgeStep) {
   const study::StudyPlan& plan = *part.plan;
   for (const study::StudySpec& step : plan.steps) requireMasks(step);
   for (const study::StudySpec& step : plan.steps) cases.prepare(step);
   report::RunFolder& folder = records.folders.of(plan.name);
   std::optional<toml::table> swept;
   if (plan.sweep) swept = study::sweepStudy(plan.steps.front(), request.options, folder.path());
+  ReportsOfPlan reports(cases);
   for (const study::StudySpec& step : plan.steps) {
-    runStep(plan, step, cases, request, cache, records, judge);
+    measureStep(plan, step, cases, request, records);
+    if (judgeStep) judgeStep(records.all.back());
+    // At once, so that a later failure leaves this one's report.
+    reportBeside(step, records, records.all.size() - 1, request, cache, cases);
   }
+  reports.finish();
   if (swept) {
     writeCopy(*swept, folder, study::studyCopyName(plan.name));
     writeSweep(part, records, request, cache);

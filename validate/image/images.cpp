@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 
@@ -17,13 +19,11 @@ void requireWhole(const Mask& mask) {
 }
 
 Image emptyImage(const Mask& mask) {
-  Image image{mask.width, mask.height, {}};
-  image.rgb.reserve(3 * mask.size());
-  return image;
+  return {mask.width, mask.height, std::vector<std::uint8_t>(3 * mask.size())};
 }
 
-void append(Image& image, const Rgb& colour) {
-  image.rgb.insert(image.rgb.end(), colour.begin(), colour.end());
+void colour(Image& image, std::size_t pixel, const Rgb& with) {
+  std::copy(with.begin(), with.end(), &image.rgb[3 * pixel]);
 }
 
 Rgb maskColour(Shade shade) {
@@ -44,7 +44,7 @@ Rgb differenceColour(Shade candidate, Shade truth) {
 Image maskImage(const Mask& mask) {
   requireWhole(mask);
   Image image = emptyImage(mask);
-  for (const Shade shade : mask.samples) append(image, maskColour(shade));
+  for (std::size_t i = 0; i < mask.size(); ++i) colour(image, i, maskColour(mask.samples[i]));
   return image;
 }
 
@@ -62,7 +62,7 @@ Image differenceImage(const Mask& candidate, const Mask& truth) {
       throw InputError(fmt::format("masks: column {}, row {} has a sample in only one of the two",
                                    i % width, i / width));
     }
-    append(image, differenceColour(candidate.samples[i], truth.samples[i]));
+    colour(image, i, differenceColour(candidate.samples[i], truth.samples[i]));
   }
   return image;
 }

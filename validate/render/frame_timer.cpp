@@ -71,28 +71,31 @@ std::string_view frameClockName(FrameClock clock) {
   return clock == FrameClock::wall ? "wall clock" : "GL timer queries";
 }
 
-double medianMilliseconds(const std::function<double()>& frame, int frames, FirstFrame first) {
-  constexpr double enoughMilliseconds = 100;
+double medianMilliseconds(const std::function<double()>& frame, FrameLimits limits,
+                          FirstFrame first) {
+  constexpr double mostMilliseconds = 100;
+  constexpr std::size_t fewest = 3;  // of which one that was disturbed is left out
   std::vector<double> sorted;
   double total = 0;
   if (first == FirstFrame::warmsUp) (void)frame();
-  for (int i = 0; i < frames; ++i) {
+  for (int i = 0; i < limits.frames; ++i) {
     const double elapsed = frame();
     sorted.insert(std::upper_bound(sorted.begin(), sorted.end(), elapsed), elapsed);
     total += elapsed;
-    if (total > enoughMilliseconds || isMedianKnown(sorted)) break;
+    const bool isEnough = total > limits.milliseconds && sorted.size() >= fewest;
+    if (isEnough || total > mostMilliseconds || isMedianKnown(sorted)) break;
   }
   return quantile(sorted, 0.5);
 }
 
-double medianFrameMilliseconds(const std::function<void()>& draw, int frames, FirstFrame first,
-                               FrameClock clock) {
+double medianFrameMilliseconds(const std::function<void()>& draw, FrameLimits limits,
+                               FirstFrame first, FrameClock clock) {
   const gl::Query query = gl::makeTimeQuery();
   const double median = medianMilliseconds(
       [&] {
         return clock == FrameClock::wall ? wallMilliseconds(draw) : queryMilliseconds(draw, query);
       },
-      frames, first);
+      limits, first);
   throwOnGlError("timing a frame");
   return median;
 }

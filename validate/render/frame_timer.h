@@ -26,24 +26,32 @@ enum class FirstFrame {
   isWarm,   ///< the same has been drawn before
 };
 
+/// After how many frames, and after which time, no more are drawn.
+struct FrameLimits {
+  int frames = 25;
+  double milliseconds = 100;  ///< 0 to 100
+};
+
 /// Median of the times of frames. They end
 ///   once the median is known: the interval between two of the sorted times that holds it with 95 %
 ///     whatever the times' distribution (order statistics, by the binomial; nine times are the
 ///     fewest of which it leaves the outermost out) is no wider than 2 % of it;
-///   where they are slow, after about 0.1 s, at least one;
-///   after `frames`.
+///   after about `limits.milliseconds`, at least three; where they are slow, after about 0.1 s, at
+///     least one;
+///   after `limits.frames`.
 /// The look at every further frame costs little: by simulation, of times that scatter independently
 /// by 0.5 to 5 %, normal or with a tail, the interval at the end holds the median in 93 to 96 %.
 /// Where what disturbs them lasts over several frames, times resemble their neighbours and it holds
 /// the median less often, in 80 % and less. On a machine that others shared the medians of
 /// twenty runs scattered by 6 to 17 %, and still by 6 to 12 % with 0.3 s for slow frames.
 /// @param frame  draws one and returns its time, milliseconds
-double medianMilliseconds(const std::function<double()>& frame, int frames, FirstFrame first);
+double medianMilliseconds(const std::function<double()>& frame, FrameLimits limits,
+                          FirstFrame first);
 
 /// The same for frames that `draw` draws.
 /// @param draw  issues the GL commands of one frame; a context is current
 /// @throws InternalError where GL recorded an error
-double medianFrameMilliseconds(const std::function<void()>& draw, int frames, FirstFrame first,
-                               FrameClock clock);
+double medianFrameMilliseconds(const std::function<void()>& draw, FrameLimits limits,
+                               FirstFrame first, FrameClock clock);
 
 }  // namespace gnomon::render

@@ -54,6 +54,10 @@ std::vector<std::uint8_t> FolderWriter::displaced(int width, int height,
   return displacedImage(width, height, light).rgb;
 }
 
+void FolderWriter::beQuiet() {
+  if (quiet_) quiet_();
+}
+
 void FolderWriter::write(const std::string& path, const std::string& bytes) {
   folder_.write(path, bytes);
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "report/run_folder.h"
@@ -12,7 +14,9 @@ namespace gnomon::report {
 class FolderWriter : public study::RunWriter {
  public:
   /// @param folder  outlives the writer
-  explicit FolderWriter(RunFolder& folder) : folder_(folder) {}
+  /// @param quiet   waits for what goes on beside the run
+  explicit FolderWriter(RunFolder& folder, std::function<void()> quiet = {})
+      : folder_(folder), quiet_(std::move(quiet)) {}
 
   [[nodiscard]] std::string mask(const Mask& mask) const override;
   [[nodiscard]] std::string shares(const Visibility& map) const override;
@@ -29,9 +33,11 @@ class FolderWriter : public study::RunWriter {
   [[nodiscard]] std::vector<std::uint8_t> displaced(int width, int height,
                                                     const std::vector<float>& light) const override;
   void write(const std::string& path, const std::string& bytes) override;
+  void beQuiet() override;
 
  private:
   RunFolder& folder_;
+  std::function<void()> quiet_;
 };
 
 }  // namespace gnomon::report

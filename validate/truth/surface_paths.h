@@ -44,6 +44,12 @@ class SurfacePaths {
   /// light along the normal has a path that goes nowhere.
   [[nodiscard]] bool leadTo(const PathStart& start, const PathTarget& target) const;
 
+  /// What it takes in memory.
+  [[nodiscard]] std::uint64_t byteCount() const {
+    return points_.size() * sizeof(Vec3) +
+           (triangles_.size() + neighbours_.size() + pieces_.size()) * sizeof(Index);
+  }
+
  private:
   using Index = std::uint32_t;
   struct Place {

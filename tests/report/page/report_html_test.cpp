@@ -166,6 +166,21 @@ TEST_F(ReportHtml, EmbedsTheLayersOfEveryMeshAndTheTruthsMask) {
   }
 }
 
+TEST_F(ReportHtml, ShowsThePlacesWhereAMethodErrsMost) {
+  study::StudyRecord record = recordWithPanel();
+  EXPECT_EQ(count(reportText(record, folder_), "id=\"worst\""), 0U);
+  record.panels[0].pictures[1].worst = {{3, 5, 64, 1203, "its answer", "what is right"}};
+  const std::string html = reportText(record, folder_);
+  EXPECT_EQ(count(html, "id=\"worst\""), 1U);
+  const std::string section = html.substr(html.find("id=\"worst\""));
+  EXPECT_TRUE(holds(section, "<h3>best <small>camera · elevation 15°</small></h3>"));
+  EXPECT_TRUE(holds(section, "1\u202f203 of 4\u202f096 pixels wrong, at 3, 5"));
+  const auto pictures = embedded(section, "webp");
+  ASSERT_GE(pictures.size(), 2U);
+  EXPECT_EQ(pictures[0], "its answer");
+  EXPECT_EQ(pictures[1], "what is right");
+}
+
 TEST_F(ReportHtml, ShowsShadowLengthsWithTheirSpread) {
   const std::string html = reportText(sampleRecord(1), folder_);
   EXPECT_TRUE(holds(html, ">Length</button></th>"));

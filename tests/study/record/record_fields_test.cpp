@@ -73,6 +73,7 @@ StudyRecord sample() {
   picture.embedded = std::string("\0\1binary", 8);
   picture.layers = 1;
   picture.truth = TruthFilesRecord{"m", "r", "", "w"};
+  picture.worst = {{1, 2, 64, 0.5, "answer", "right"}};
   record.panels = {{"camera", "evening", 64, 32, {picture}, {{"lit", "dark"}}}};
   record.notices = {"a notice", ""};
   record.undefinedSamples = 5;
@@ -95,6 +96,7 @@ TEST(RecordFields, ComeBackToTheBit) {
   EXPECT_EQ(read.judgements[0].value, 0.95);
   EXPECT_EQ(read.panels[0].pictures[0].embedded, record.panels[0].pictures[0].embedded);
   EXPECT_EQ(read.panels[0].pictures[0].truth->weights, "w");
+  EXPECT_EQ(read.panels[0].pictures[0].worst[0].truth, "right");
   EXPECT_EQ(read.panels[0].layers, record.panels[0].layers);
   EXPECT_EQ(read.budgets[0].backward[0].falseLight, 0.6);
   EXPECT_EQ(read.claims[0].spread->quartiles->most, 5);

@@ -418,16 +418,16 @@ VisibilityAnswers MethodPass::renderVisibility(const RenderView& view, const Dra
 }
 
 FrameCosts MethodPass::frameCosts(const RenderView& view, const Drawing& drawing,
-                                  const GpuTables& tables, int frames, FirstFrame first,
+                                  const GpuTables& tables, FrameLimits limits, FirstFrame first,
                                   FrameClock clock, const TexelCounter& counter) const {
   const Frame frame(*this, view, drawing, tables);
   FrameCosts costs;
-  costs.every = medianFrameMilliseconds([&] { frame.draw(); }, frames, first, clock);
+  costs.every = medianFrameMilliseconds([&] { frame.draw(); }, limits, first, clock);
   costs.still = costs.every;
   // At least one frame has been drawn: the light's passes are filled.
   if (frame.hasLightPasses()) {
     const auto drawView = [&] { frame.drawView(); };
-    costs.still = medianFrameMilliseconds(drawView, frames, FirstFrame::isWarm, clock);
+    costs.still = medianFrameMilliseconds(drawView, limits, FirstFrame::isWarm, clock);
   }
   costs.texels = frame.texels(counter);
   throwOnGlError("counting the texels that a method reads");

@@ -78,7 +78,7 @@ class MethodPass {
   /// Of the passes that answer for the drawing's light, a point or a disc.
   /// @param counter  of the same method and settings
   [[nodiscard]] FrameCosts frameCosts(const RenderView& view, const Drawing& drawing,
-                                      const GpuTables& tables, int frames, FirstFrame first,
+                                      const GpuTables& tables, FrameLimits limits, FirstFrame first,
                                       FrameClock clock, const TexelCounter& counter) const;
 
   /// Whether a program of its frame reads a texture, by the sampler's name: what only bakes read is

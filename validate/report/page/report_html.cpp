@@ -192,7 +192,7 @@ Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& f
               thresholdSection(record) + referenceSection(record, folder) +
               (hasPictures ? viewerMarkup() : Html());
   main += caseSections(record, ranked, folder);
-  main += worstSection(record, ranked, folder);
+  main += worstSection(record, ranked);
   main += confidenceSection(record) + plotSection(plots) + budgetSection(record, plots) +
           costSection(record, plots) + truthSection(record) + citations(record.methods) +
           timingSection(record.timings) + reproduceSection(record);

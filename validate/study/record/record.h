@@ -158,6 +158,14 @@ struct TruthFilesRecord {
   std::string weights;  ///< EXR, channel "area": the weight of each sample of an atlas; else empty
 };
 
+/// A square of pixels where an answer errs much, beside the truth.
+struct WorstPlace {
+  int left = 0, top = 0;
+  int side = 0;
+  double error = 0;           ///< sum over its pixels: see compare::Window
+  std::string answer, truth;  ///< WebP for a page
+};
+
 /// One picture of a panel. Paths are relative to the run's folder.
 struct PictureRecord {
   enum class Kind { shaded, difference, displaced };
@@ -173,6 +181,8 @@ struct PictureRecord {
   /// Of a shading: the truth at its own samples.
   std::optional<TruthFilesRecord> truth = std::nullopt;
   std::string testMask = {};  ///< of a method's shading: what its shadow test alone says
+  /// Of a method's shading: where its error is largest, the worst first.
+  std::vector<WorstPlace> worst = {};
 };
 
 /// Two pictures of a mesh in one view under one light: with all samples lit, and with all shadowed;

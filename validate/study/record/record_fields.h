@@ -268,10 +268,16 @@ void fields(Stream& stream, T& files) {
   stream(mask, regions, seam, weights);
 }
 
+template <typename Stream, SameAs<study::WorstPlace> T>
+void fields(Stream& stream, T& place) {
+  auto& [left, top, side, error, answer, truth] = place;
+  stream(left, top, side, error, answer, truth);
+}
+
 template <typename Stream, SameAs<study::PictureRecord> T>
 void fields(Stream& stream, T& picture) {
-  auto& [kind, method, caption, path, mask, embedded, layers, truth, testMask] = picture;
-  stream(kind, method, caption, path, mask, embedded, layers, truth, testMask);
+  auto& [kind, method, caption, path, mask, embedded, layers, truth, testMask, worst] = picture;
+  stream(kind, method, caption, path, mask, embedded, layers, truth, testMask, worst);
 }
 
 template <typename Stream, SameAs<study::LayersRecord> T>

@@ -5,7 +5,7 @@
 namespace gnomon::study {
 
 /// Writes nothing: for a run of which only the figures are wanted.
-class NoFiles final : public RunWriter {
+class NoFiles : public RunWriter {
  public:
   [[nodiscard]] std::string mask(const Mask&) const override { return {}; }
   [[nodiscard]] std::string shares(const Visibility&) const override { return {}; }

@@ -61,6 +61,7 @@ class StudyRun {
  private:
   void measureCosts() {
     const int frames = isWhole_ ? study_.frames : 0;
+    if (frames > 0) writer_.beQuiet();
     for (MethodCase& method : methods_) {
       if (method.isGiven()) continue;
       record_.cost.push_back(costs_.measure(scene_, method, frames));

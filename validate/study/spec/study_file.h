@@ -2,6 +2,7 @@
 
 #include <toml++/toml.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -80,6 +81,7 @@ struct StudySpec : StudyHeader {
   SurfaceSection surfaceSection = {};            ///< what `cage` was made from
   ReliefSection reliefSection = {};              ///< what `relief` was made from
   std::string text = {};                         ///< the file's, as it is written
+  std::size_t sweepCases = 1;                    ///< of the sweep that it is a case of
 };
 
 /// What the command line changes in a study.

@@ -87,6 +87,7 @@ TEST_F(SweepFile, IsOneStudyAValueInTheirOrder) {
   EXPECT_EQ(plan.steps[0].name, "bumps/2");
   EXPECT_EQ(plan.steps[1].name, "bumps/0.25");
   EXPECT_EQ(plan.steps[1].title, "Columns on a plane, relief.height = 0.25");
+  EXPECT_EQ(plan.steps[1].sweepCases, plan.steps.size());
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_FLOAT_EQ(plan.steps[i].relief.field.maximum() / plan.steps[0].relief.field.maximum(),
                     static_cast<float>(numbers(plan)[i] / 2));
@@ -99,6 +100,7 @@ TEST_F(SweepFile, AFileWithoutOneIsOneStudy) {
   EXPECT_FALSE(plan.sweep);
   ASSERT_EQ(plan.steps.size(), 1U);
   EXPECT_EQ(plan.steps[0].name, "bumps");
+  EXPECT_EQ(plan.steps[0].sweepCases, 1U);
   EXPECT_EQ(plan.name, "bumps");
 }
 

@@ -26,6 +26,19 @@ bool areKept(const render::Method& method, glm::ivec2 map) {
   return bytes <= mostBytes;
 }
 
+/// The functions that bake, compiled once for all cases.
+std::shared_ptr<const render::BakePass> heldPass(RunScene& scene, const MethodSpec& spec,
+                                                 const render::Method& method) {
+  constexpr std::uint64_t bytes = 1 << 20;  // about, in the driver
+  return scene.store.get<render::BakePass>(
+      scene.keys.program(spec, method),
+      [&] {
+        return std::make_shared<const render::BakePass>(
+            scene.shaders, method, scene.study.relief.field.wrap(), spec.filter, spec.parameters);
+      },
+      [](const render::BakePass&) { return bytes; });
+}
+
 }  // namespace
 
 std::shared_ptr<const std::vector<render::GpuBake>> methodBakes(RunScene& scene,
@@ -38,10 +51,10 @@ std::shared_ptr<const std::vector<render::GpuBake>> methodBakes(RunScene& scene,
   const render::BakeScene from{scene.heights, relief.field.wrap(), relief.space,
                                scene.texelsPerHeight};
   return scene.clock.measure("bake", [&](const Progress& progress) {
-    const render::BakePass pass(scene.shaders, method, from.wrap, spec.filter, spec.parameters);
+    const auto pass = heldPass(scene, spec, method);
     const cache::ContentKey key =
-        scene.keys.methodBakes(spec, method, pass.parameters(), scene.texelsPerHeight);
-    const auto bake = [&] { return pass.bake(from, tables, progress); };
+        scene.keys.methodBakes(spec, method, pass->parameters(), scene.texelsPerHeight);
+    const auto bake = [&] { return pass->bake(from, tables, progress); };
     return scene.store.get<std::vector<render::GpuBake>>(
         key,
         [&] {

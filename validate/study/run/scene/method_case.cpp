@@ -37,35 +37,30 @@ void bakeOwn(RunScene& scene, MethodCase& method) {
   ready.tables.bakes = ready.bakes.get();
 }
 
-/// The shader of a method as this study uses it: Pass is MethodPass or TexelCounter.
+/// The shader of a method as this study uses it, compiled once for all cases: Pass is MethodPass or
+/// TexelCounter.
 template <typename Pass>
-Pass makePass(const RunScene& scene, const MethodCase& method) {
+std::shared_ptr<const Pass> heldPass(RunScene& scene, const MethodCase& method) {
+  constexpr std::uint64_t bytes = 1 << 20;  // about, in the driver
   const MethodSpec& spec = *method.spec;
-  return {scene.shaders,
-          method.method,
-          scene.study.relief.field.wrap(),
-          spec.filter,
-          spec.parameters,
-          spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own};
+  return scene.store.get<Pass>(
+      scene.keys.program(spec, method.method),
+      [&] {
+        return std::make_shared<const Pass>(
+            scene.shaders, method.method, scene.study.relief.field.wrap(), spec.filter,
+            spec.parameters, spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own);
+      },
+      [](const Pass&) { return bytes; });
 }
 
 void compile(RunScene& scene, MethodCase& method) {
-  const MethodSpec& spec = *method.spec;
   const DrawnBase& base = scene.clock.measure(
       "samples", [&](const Progress&) -> const DrawnBase& { return *method.base->drawn.get(); });
   if (method.method.passes.needTexturePlane() || method.method.tables.surfaceAngles) {
     render::requireTextureView(base.texture);
   }
-  constexpr std::uint64_t bytes = 1 << 20;  // about, in the driver
-  auto pass = scene.store.get<render::MethodPass>(
-      scene.keys.program(spec, method.method),
-      [&] {
-        return std::make_shared<const render::MethodPass>(
-            makePass<render::MethodPass>(scene, method));
-      },
-      [](const render::MethodPass&) { return bytes; });
-  method.compiled.emplace(
-      CompiledMethod{std::move(pass), reliefTables(scene, method.method, spec.bake)});
+  method.compiled.emplace(CompiledMethod{heldPass<render::MethodPass>(scene, method),
+                                         reliefTables(scene, method.method, method.spec->bake)});
   if (!method.method.tables.surfaceAngles) bakeOwn(scene, method);
 }
 
@@ -213,8 +208,9 @@ const CompiledMethod& compiled(RunScene& scene, MethodCase& method) {
   return *method.compiled;
 }
 
-render::TexelCounter texelCounter(const RunScene& scene, const MethodCase& method) {
-  return makePass<render::TexelCounter>(scene, method);
+std::shared_ptr<const render::TexelCounter> texelCounter(RunScene& scene,
+                                                         const MethodCase& method) {
+  return heldPass<render::TexelCounter>(scene, method);
 }
 
 render::Drawing drawingOf(RunScene& scene, const MethodCase& method, std::size_t light) {

@@ -61,7 +61,7 @@ MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDeman
 const CompiledMethod& compiled(RunScene& scene, MethodCase& method);
 
 /// Counts the texels that the method's answers read.
-render::TexelCounter texelCounter(const RunScene& scene, const MethodCase& method);
+std::shared_ptr<const render::TexelCounter> texelCounter(RunScene& scene, const MethodCase& method);
 
 /// What the method's passes draw under one of the study's lights.
 render::Drawing drawingOf(RunScene& scene, const MethodCase& method, std::size_t light);

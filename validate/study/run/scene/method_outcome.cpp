@@ -137,7 +137,7 @@ std::vector<MethodOutcome> OutcomeStage::compareOnOne(
     if (!truth.isSoft()) return;
     parts.emplace_back([&, which] {
       const Visibility& shares = which == Answer::drawn ? of.drawnShares : of.testShares;
-      place.shares = sharesMetrics(shares, truth.visibility, seen.weights, shared.field);
+      place.shares = sharesMetrics(shares, truth.visibility, seen.weights, *shared.field);
     });
   };
   for (std::size_t m = 0; m < answers.size(); ++m) {
@@ -160,7 +160,7 @@ std::vector<MethodOutcome> OutcomeStage::compareOnOne(
       });
     });
   }
-  const std::vector<compare::ShadowLengths> lengths = castLengths(masks, truth, shared.field);
+  const std::vector<compare::ShadowLengths> lengths = castLengths(masks, truth, *shared.field);
   std::vector<std::vector<compare::Metric>> boundaries =
       compare::compareBoundaries(masks, truth.mask, seen.layout);
   parallelFor(0, parts.size(), [&](std::size_t i) { parts[i](); });

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -56,7 +57,7 @@ class OutcomeStage {
  private:
   /// What all methods on one mesh share.
   struct Shared {
-    compare::LightField field;
+    std::shared_ptr<const compare::LightField> field;
     SampleBins bins;
   };
   /// @param meanwhile  called on this thread

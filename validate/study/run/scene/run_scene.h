@@ -58,13 +58,22 @@ struct RunScene {
   /// be kept.
   [[nodiscard]] std::shared_ptr<const FieldPoints> fieldPoints(const BaseCase& on,
                                                                std::size_t view) const;
-  /// The steps along which shadows are measured in one view under one light. May be called from any
-  /// thread.
+  /// The steps along which shadows are measured in one view under one light; those made last are
+  /// kept. May be called from any thread, by one at a time.
   /// @param points  of `fieldPoints`
-  [[nodiscard]] compare::LightField lightField(const BaseCase& on, std::size_t view,
-                                               std::size_t light, const FieldPoints* points) const;
+  std::shared_ptr<const compare::LightField> lightField(const BaseCase& on, std::size_t view,
+                                                        std::size_t light,
+                                                        const FieldPoints* points);
   /// The bins of the samples of one view under one light.
   [[nodiscard]] SampleBins bins(const BaseCase& on, std::size_t view, std::size_t light) const;
+
+ private:
+  struct LastField {
+    const BaseCase* base = nullptr;
+    std::size_t view = 0, light = 0;
+    std::shared_ptr<const compare::LightField> field;
+  };
+  LastField last_;
 };
 
 }  // namespace gnomon::study

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -19,6 +20,7 @@
 #include "truth/global_occluder.h"
 #include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
+#include "truth/surface_paths.h"
 #include "truth/visibility_tracer.h"
 
 namespace gnomon::study {
@@ -130,6 +132,13 @@ std::vector<truth::TraceSettings> some(const std::vector<truth::TraceSettings>& 
   return chosen;
 }
 
+std::shared_ptr<const truth::SurfacePaths> surfacePaths(RunScene& scene) {
+  return scene.store.get<truth::SurfacePaths>(
+      surfaceKey(scene.study),
+      [&] { return std::make_shared<const truth::SurfacePaths>(scene.surface); },
+      [](const truth::SurfacePaths& paths) { return paths.byteCount(); });
+}
+
 /// With their regions `global` and `seam`. Under some of the lights, together: they share the
 /// samples' places.
 std::vector<truth::Truth> traceWithRegions(RunScene& scene, const TracedSurface& surface,
@@ -141,8 +150,8 @@ std::vector<truth::Truth> traceWithRegions(RunScene& scene, const TracedSurface&
     std::vector<truth::Truth> truths =
         trace(scene, surface, scene.keys.surface(), base, view, lights, progress);
     truth::markGlobal(scene.surface, scene.study.relief, surface.mesh, surface.scene,
-                      truth::SurfacePaths(scene.surface), scene.study.cage.limitFaceParts(),
-                      samples, lights, truths);
+                      *surfacePaths(scene), scene.study.cage.limitFaceParts(), samples, lights,
+                      truths);
     const truth::TextureCharts charts(scene.surface, scene.study.relief);
     auto crossings = truth::seamCrossings(scene.surface, scene.study.relief, surface.mesh,
                                           surface.scene, charts, samples, truths, lights);
@@ -167,16 +176,15 @@ std::vector<truth::Truth> truthsOf(RunScene& scene, SurfaceOnDemand& surface, co
 UncertaintyRecord measured(RunScene& scene, const truth::Truth& coarse, const BaseCase& base,
                            std::size_t view, std::size_t light) {
   const truth::Truth& truth = base.views[view].truths[light];
-  const compare::LightField field =
-      scene.lightField(base, view, light, scene.fieldPoints(base, view).get());
+  const auto field = scene.lightField(base, view, light, scene.fieldPoints(base, view).get());
   UncertaintyRecord found{
       "", "", truth::uncertaintyOf(truth, coarse),
-      differenceFromOne(castLengths(coarse.mask, truth, field).ratio),
+      differenceFromOne(castLengths(coarse.mask, truth, *field).ratio),
       compare::compareBoundaries(coarse.mask, truth.mask, base.views[view].layout)};
   if (!truth.isSoft()) return found;
   found.percentile99 = truth::shareChange(truth.visibility, coarse.visibility).percentile99;
   found.shares =
-      sharesMetrics(coarse.visibility, truth.visibility, base.views[view].weights, field);
+      sharesMetrics(coarse.visibility, truth.visibility, base.views[view].weights, *field);
   return found;
 }
 

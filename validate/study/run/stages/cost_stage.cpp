@@ -44,22 +44,30 @@ std::optional<std::size_t> firstCamera(const StudySpec& study) {
 }
 
 cache::ContentKey costKey(const RunScene& scene, const MethodCase& method,
-                          std::optional<std::size_t> view, int frames) {
+                          std::optional<std::size_t> view, render::FrameLimits limits) {
   cache::KeyBuilder key("cost");
   key.add("method", method.key).add("host", hostName());
   key.add("threads", threadCount());
   auto header = static_cast<const StudyHeader&>(scene.study);
-  header.frames = frames;
+  header.frames = limits.frames;
   addSettings(key, header, Enters::costs);
+  key.add("milliseconds", limits.milliseconds);
   if (view) key.add("mask", scene.keys.mask(method.key, method.base->choice, *view, 0));
   return key.key();
 }
 
 }  // namespace
 
+render::FrameLimits frameLimits(int frames, std::size_t cases) {
+  constexpr double casesOfFullTime = 10;
+  const double share = std::min(1.0, casesOfFullTime / static_cast<double>(cases));
+  return {frames, share * render::FrameLimits{}.milliseconds};
+}
+
 CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) const {
+  const render::FrameLimits limits = frameLimits(frames, scene.study.sweepCases);
   const auto view = frames > 0 ? firstCamera(scene.study) : std::nullopt;
-  const cache::ContentKey key = costKey(scene, method, view, frames);
+  const cache::ContentKey key = costKey(scene, method, view, limits);
   std::optional<KeptCost> cost = scene.cache.find<KeptCost>(key);
   const bool isKept = cost.has_value();
   if (!cost) {
@@ -74,8 +82,8 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
           ready.hasDrawn ? render::FirstFrame::isWarm : render::FirstFrame::warmsUp;
       const render::FrameCosts costs = scene.clock.measure("frame times", [&](const Progress&) {
         return ready.pass->frameCosts(method.base->views[*view].view, drawingOf(scene, method, 0),
-                                      ready.tables, frames, first, clock_,
-                                      texelCounter(scene, method));
+                                      ready.tables, limits, first, clock_,
+                                      *texelCounter(scene, method));
       });
       cost->frameMs = costs.every;
       cost->stillMs = costs.still;

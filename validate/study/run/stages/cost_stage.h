@@ -1,11 +1,18 @@
 #pragma once
 
+#include <cstddef>
+
 #include "render/frame_timer.h"
 #include "study/record/record.h"
 #include "study/run/scene/method_case.h"
 #include "study/run/scene/run_scene.h"
 
 namespace gnomon::study {
+
+/// How long the frames of one method are timed: of a study for up to 0.1 s. The cases of a sweep
+/// have the time of ten together, if they are more.
+/// @param cases  of the sweep that the study is one of
+render::FrameLimits frameLimits(int frames, std::size_t cases);
 
 /// What a method costs: on the first camera view under the first light; without a camera view there
 /// is no frame time.

@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "common/on_demand.h"
 #include "common/parallel.h"
 #include "study/run/scene/cached_fields.h"
+#include "study/run/stages/worst_places.h"
 #include "truth/displaced_picture.h"
 
 namespace gnomon::study {
@@ -56,6 +58,18 @@ std::uint8_t between(std::uint8_t dark, std::uint8_t lit, double share) {
   return static_cast<std::uint8_t>(std::lround(255 * std::pow(mixed, 1 / encoding)));
 }
 
+Visibility sharesOf(const ShownAnswer& shown) {
+  return shown.isSoft() ? shown.shares : asShares(shown.mask);
+}
+
+/// The grey of an answer's mask: white is lit.
+std::array<std::uint8_t, 3> maskGrey(const Visibility& shares, std::size_t i) {
+  constexpr std::uint8_t none = 128;
+  const float share = shares.shares[i];
+  const auto grey = std::isnan(share) ? none : static_cast<std::uint8_t>(std::lround(255 * share));
+  return {grey, grey, grey};
+}
+
 /// Where a sample's path to the light crosses a seam: lit.
 Mask seamMask(const truth::Truth& truth) {
   Mask mask = truth.mask;
@@ -69,6 +83,7 @@ Mask seamMask(const truth::Truth& truth) {
 /// How file names call the truth at a mesh's samples.
 std::string truthName(const BaseCase& base, const BaseCase& standard, std::size_t view,
                       std::size_t light) {
+  if (&base == &standard) return "truth";
   const truth::Truth& own = base.views[view].truths[light];
   const truth::Truth& other = standard.views[view].truths[light];
   const bool isSame = own.mask.samples == other.mask.samples && own.regions == other.regions &&
@@ -88,6 +103,7 @@ struct PanelPictures::Answer {
   cache::ContentKey key;
   const Mesh& mesh;
   const truth::Truth* truth;  ///< what it is held against; null for the truth itself
+  bool sharesPicture;         ///< whether the truth's picture shows its samples
   std::function<ShownAnswer()> drawn;
   std::function<ShownAnswer()> test = {};  ///< of the shadow test alone; none for the truth
 };
@@ -98,11 +114,6 @@ struct PanelPictures::Mesh {
   struct Colours {
     std::vector<std::uint8_t> lit;
     std::vector<std::uint8_t> dark;
-
-    template <typename Stream, cache::SameAs<Colours> T>
-    friend void fields(Stream& stream, T& both) {
-      stream(both.lit, both.dark);
-    }
   };
 
   std::size_t layers;  ///< place among the panel's
@@ -113,16 +124,31 @@ struct PanelPictures::Mesh {
     const Colours& both = colours.get();
     std::vector<std::uint8_t> rgb = both.lit;
     for (std::size_t i = 0; i < shown.mask.size(); ++i) {
-      const double share = shown.isSoft() ? static_cast<double>(shown.shares.shares[i]) : 0;
-      if (share > 0) {
-        for (std::size_t k = 3 * i; share < 1 && k < 3 * i + 3; ++k) {
-          rgb[k] = between(both.dark[k], both.lit[k], share);
-        }
-      } else if (shown.mask.samples[i] == Shade::shadowed) {
-        std::copy_n(&both.dark[3 * i], 3, &rgb[3 * i]);
-      }
+      shadeSample(shown, i, &both.dark[3 * i], &rgb[3 * i]);
     }
     return rgb;
+  }
+
+  /// The same of one sample.
+  [[nodiscard]] std::array<std::uint8_t, 3> shadingAt(const ShownAnswer& shown,
+                                                      std::size_t i) const {
+    const Colours& both = colours.get();
+    std::array<std::uint8_t, 3> rgb{};
+    std::copy_n(&both.lit[3 * i], 3, rgb.data());
+    shadeSample(shown, i, &both.dark[3 * i], rgb.data());
+    return rgb;
+  }
+
+ private:
+  /// @param rgb  of the sample lit
+  static void shadeSample(const ShownAnswer& shown, std::size_t i, const std::uint8_t* dark,
+                          std::uint8_t* rgb) {
+    const double share = shown.isSoft() ? static_cast<double>(shown.shares.shares[i]) : 0;
+    if (share > 0) {
+      for (std::size_t k = 0; share < 1 && k < 3; ++k) rgb[k] = between(dark[k], rgb[k], share);
+    } else if (shown.mask.samples[i] == Shade::shadowed) {
+      std::copy_n(dark, 3, rgb);
+    }
   }
 };
 
@@ -206,12 +232,9 @@ std::vector<std::uint8_t> PanelPictures::shade(std::size_t view, std::size_t lig
 PanelPictures::Mesh PanelPictures::panelMesh(std::size_t view, std::size_t light,
                                              const BaseCase& base, PanelRecord& panel) {
   const cache::ContentKey key = scene_.keys.layers(base.choice, view, light);
-  Mesh mesh{0, OnDemand<Mesh::Colours>([this, key, view, light, &base] {
-              return scene_.cache.remember(
-                  cache::KeyBuilder("colours").add("layers", key).key(), [&] {
-                    return Mesh::Colours{shade(view, light, base, Shade::lit),
-                                         shade(view, light, base, Shade::shadowed)};
-                  });
+  Mesh mesh{0, OnDemand<Mesh::Colours>([this, view, light, &base] {
+              return Mesh::Colours{shade(view, light, base, Shade::lit),
+                                   shade(view, light, base, Shade::shadowed)};
             })};
   if (scene_.study.lights[light].isSoft()) return mesh;  // no page composes its shadings
   const LayersRecord layers = scene_.cache.remember(key, [&] {
@@ -308,6 +331,53 @@ std::vector<std::string> PanelPictures::writeAnswers(std::size_t view, std::size
   return embedded;
 }
 
+std::vector<WorstPlace> PanelPictures::placesOf(const Answer& answer, const Answer& right) const {
+  const ShownAnswer own = answer.drawn();
+  const ShownAnswer truth = shownOf(*answer.truth);
+  const Visibility shares = sharesOf(own);
+  const Visibility rightShares = sharesOf(truth);
+  if (answer.sharesPicture) {
+    return worstPlaces(
+        shares, rightShares, [&](std::size_t i) { return answer.mesh.shadingAt(own, i); },
+        [&](std::size_t i) { return right.mesh.shadingAt(truth, i); }, writer_);
+  }
+  return worstPlaces(
+      shares, rightShares, [&](std::size_t i) { return maskGrey(shares, i); },
+      [&](std::size_t i) { return maskGrey(rightShares, i); }, writer_);
+}
+
+std::vector<std::vector<WorstPlace>> PanelPictures::findPlaces(const std::vector<Answer>& shown) {
+  const Answer& right = shown.back();
+  std::vector<std::vector<WorstPlace>> places(shown.size() - 1);
+  std::vector<std::size_t> missing;
+  const auto keyOf = [&](std::size_t i) {
+    return cache::KeyBuilder("worst places")
+        .add("answer", shown[i].key)
+        .add("truth", right.key)
+        .key();
+  };
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    auto found = scene_.cache.find<std::vector<WorstPlace>>(keyOf(i));
+    if (found) {
+      places[i] = std::move(*found);
+      continue;
+    }
+    missing.push_back(i);
+    (void)shown[i].drawn();  // here, where OpenGL is
+    if (!shown[i].sharesPicture) continue;
+    (void)shown[i].mesh.colours.get();
+    (void)right.mesh.colours.get();
+  }
+  scene_.clock.measure("writing", [&](const Progress&) {
+    parallelFor(0, missing.size(), [&](std::size_t k) {
+      const std::size_t i = missing[k];
+      places[i] = placesOf(shown[i], right);
+      scene_.cache.keep(keyOf(i), places[i]);
+    });
+  });
+  return places;
+}
+
 TruthFilesRecord PanelPictures::writeTruth(std::size_t view, std::size_t light,
                                            const BaseCase& base) {
   const BaseCase& standard = scene_.standardBase();
@@ -384,6 +454,7 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
     const BaseCase& base = *answer.method->base;
     shown.push_back({names_.methods[answer.place], answerKey(scene_, *answer.method, view, light),
                      meshFor(base), &base.views[view].truths[light],
+                     truthName(base, standard, view, light) == "truth",
                      [&asked = answer.answers] {
                        return ShownAnswer{asked().drawn, asked().drawnShares};
                      },
@@ -392,17 +463,19 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
                      }});
   }
   shown.push_back({"truth", scene_.keys.truth(standard.choice, view, light), meshFor(standard),
-                   nullptr, [&] { return shownOf(standard.views[view].truths[light]); }});
+                   nullptr, true, [&] { return shownOf(standard.views[view].truths[light]); }});
   std::vector<std::string> embedded = writeAnswers(view, light, shown);
+  std::vector<std::vector<WorstPlace>> worst = findPlaces(shown);
   const auto layersOf = [&](const Answer& answer) {
     return study.lights[light].isSoft() ? std::nullopt : std::optional(answer.mesh.layers);
   };
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const std::string& label = study.methods[answers[i].place].label;
-    panel.pictures.push_back(
-        {Kind::shaded, label, label, path("images", view, light, shown[i].name),
-         path("masks", view, light, shown[i].name), std::move(embedded[i]), layersOf(shown[i]),
-         truthAt(*answers[i].method->base), path("masks/test", view, light, shown[i].name)});
+    panel.pictures.push_back({Kind::shaded, label, label,
+                              path("images", view, light, shown[i].name),
+                              path("masks", view, light, shown[i].name), std::move(embedded[i]),
+                              layersOf(shown[i]), truthAt(*answers[i].method->base),
+                              path("masks/test", view, light, shown[i].name), std::move(worst[i])});
   }
   if (const auto displaced = displaced_.find({view, light}); displaced != displaced_.end()) {
     panel.pictures.push_back({Kind::displaced, "truth", "displaced mesh, ray-traced",

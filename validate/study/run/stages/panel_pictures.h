@@ -75,6 +75,11 @@ class PanelPictures {
   /// @return each answer's shading as a page embeds it
   std::vector<std::string> writeAnswers(std::size_t view, std::size_t light,
                                         const std::vector<Answer>& answers);
+  /// Where an answer errs most. In pictures of masks where the truth's picture shows other samples.
+  /// @param right  the truth, as it is shown
+  [[nodiscard]] std::vector<WorstPlace> placesOf(const Answer& answer, const Answer& right) const;
+  /// The same of all answers but the last, which is the truth.
+  std::vector<std::vector<WorstPlace>> findPlaces(const std::vector<Answer>& shown);
   /// Writes the truth at a mesh's samples. The mask of the standard base's truth is not among it:
   /// that is written with its shading.
   TruthFilesRecord writeTruth(std::size_t view, std::size_t light, const BaseCase& base);

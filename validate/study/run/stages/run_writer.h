@@ -51,6 +51,9 @@ class RunWriter {
   /// @param path   relative to the run's folder
   /// @param bytes  of one of the above but `embedded`
   virtual void write(const std::string& path, const std::string& bytes) = 0;
+  /// Called before times are measured: what goes on beside the run, earlier reports being written,
+  /// has ended when it returns.
+  virtual void beQuiet() {}
 };
 
 }  // namespace gnomon::study

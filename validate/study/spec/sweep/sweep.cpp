@@ -106,6 +106,7 @@ StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options,
     plan.title = step.title;
     plan.source = step.source;
     step.name = fmt::format("{}/{}", plan.name, which.name);
+    step.sweepCases = swept.sweep.cases.size();
     for (MethodSpec& method : step.methods) {
       if (method.isGiven()) method.maskCase = which.name;
     }

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace gnomon::report {
+namespace gnomon::compare {
 
 /// A square of a picture, its corner at the left top.
 struct Window {
@@ -21,4 +21,4 @@ struct Window {
 std::vector<Window> worstWindows(const std::vector<float>& errors, int width, int height, int side,
                                  std::size_t most);
 
-}  // namespace gnomon::report
+}  // namespace gnomon::compare

@@ -1,4 +1,4 @@
-#include "report/page/worst_windows.h"
+#include "compare/worst_windows.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <random>
 
-namespace gnomon::report {
+namespace gnomon::compare {
 namespace {
 
 double wrongIn(const std::vector<float>& wrong, int width, const Window& window) {
@@ -57,4 +57,4 @@ TEST(WorstWindows, NoneWithoutErrorsAndNoneBeyondThePicture) {
 }
 
 }  // namespace
-}  // namespace gnomon::report
+}  // namespace gnomon::compare

@@ -1,4 +1,4 @@
-#include "report/page/worst_windows.h"
+#include "compare/worst_windows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <optional>
 
-namespace gnomon::report {
+namespace gnomon::compare {
 namespace {
 
 constexpr double steps = 65536;
@@ -65,4 +65,4 @@ std::vector<Window> worstWindows(const std::vector<float>& errors, int width, in
   return found;
 }
 
-}  // namespace gnomon::report
+}  // namespace gnomon::compare
