@@ -56,7 +56,10 @@ def completed(folder, names, place):
 
 def comparison(candidate, truth):
     """What the program says of two masks or two folders of them; its message where it cannot compare them."""
-    run = subprocess.run([PROGRAM, "compare", candidate, truth, "--json", "-"], capture_output=True, text=True)
+    try:
+        run = subprocess.run([PROGRAM, "compare", candidate, truth, "--json", "-"], capture_output=True, text=True)
+    except FileNotFoundError:
+        sys.exit(f"systems.py: {PROGRAM}: not found; GNOMON_PROGRAM=build/release/gnomon expected, or an installed one")
     return json.loads(run.stdout) if run.returncode == 0 else run.stderr
 
 

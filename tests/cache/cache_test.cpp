@@ -100,6 +100,18 @@ TEST_F(CacheTest, ADamagedEntryIsComputedAgain) {
   EXPECT_FALSE(cache.holds(inputKey));
 }
 
+TEST_F(CacheTest, CountsNoLookThatIsNotToBeCounted) {
+  Cache cache(folder(), 1'000'000, program, {});
+  const auto look = [&] { return cache.find<int>(inputKey, HoldsOn::thisProcessor, Counted::no); };
+  EXPECT_EQ(look(), std::nullopt);
+  cache.keep(inputKey, 7);
+  EXPECT_EQ(look(), 7);
+  std::ofstream(onlyEntry(), std::ios::in | std::ios::out).seekp(-1, std::ios::end) << '#';
+  EXPECT_EQ(look(), std::nullopt);
+  EXPECT_FALSE(cache.holds(inputKey)) << "the damaged entry is removed";
+  expectCounts(cache, 0, 0, 0);
+}
+
 TEST_F(CacheTest, WhatIsNoFileOfTheRightSizeIsNoEntry) {
   const auto fifo = [](const fs::path& path) { (void)::mkfifo(path.c_str(), 0600); };
   const std::vector<std::function<void(const fs::path&)>> kinds = {

@@ -107,19 +107,19 @@ bool Cache::holds(const ContentKey& key, HoldsOn where) const {
   return isOn() && fs::exists(pathOf(ownKey(key, where)), failure);
 }
 
-std::optional<Cache::Loaded> Cache::load(const ContentKey& own) {
+std::optional<Cache::Loaded> Cache::load(const ContentKey& own, Counted counted) {
   if (!isOn()) return std::nullopt;
   const fs::path path = pathOf(own);
   Found found = contentOf(path, own, limit_);
   if (!found.isAny) {
-    ++misses_;
+    if (counted == Counted::yes) ++misses_;
     return std::nullopt;
   }
   std::optional<std::string_view> content;
   if (found.file) content = openedEntry(own, {found.file->data(), found.file->size()});
-  ++hits_;
+  if (counted == Counted::yes) ++hits_;
   if (!content) {
-    discard(own);
+    discard(own, counted);
     return std::nullopt;
   }
   std::error_code ignored;  // in a folder that cannot be written its age stays
@@ -127,10 +127,12 @@ std::optional<Cache::Loaded> Cache::load(const ContentKey& own) {
   return Loaded{std::move(*found.file), *content};
 }
 
-void Cache::discard(const ContentKey& own) {
-  --hits_;
-  ++misses_;
-  ++damaged_;
+void Cache::discard(const ContentKey& own, Counted counted) {
+  if (counted == Counted::yes) {
+    --hits_;
+    ++misses_;
+    ++damaged_;
+  }
   std::error_code ignored;
   // Whatever stands in an entry's place: the name is the cache's own.
   fs::remove_all(pathOf(own), ignored);

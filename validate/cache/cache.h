@@ -30,6 +30,10 @@ struct CacheOwner {
 /// every instruction set that its bytes are the same.
 enum class HoldsOn { thisProcessor, anyProcessor };
 
+/// Whether a look at an entry is counted: those of a run's measuring are, those of the reports that
+/// may be written at the same time are not.
+enum class Counted { yes, no };
+
 /// Results that earlier runs left on disk, by the key of all that they depend on. A cache that
 /// cannot be written, or is full, is one that keeps nothing more: a run never fails by it. What
 /// stands in an entry's place and is none (damaged, of another size, a folder, a pipe) is one that
@@ -55,14 +59,15 @@ class Cache {
 
   /// The value of an entry, counted as a hit or a miss. A damaged entry is removed.
   template <typename Value>
-  std::optional<Value> find(const ContentKey& key, HoldsOn where = HoldsOn::thisProcessor) {
+  std::optional<Value> find(const ContentKey& key, HoldsOn where = HoldsOn::thisProcessor,
+                            Counted counted = Counted::yes) {
     const ContentKey own = ownKey(key, where);
-    const std::optional<Loaded> entry = load(own);
+    const std::optional<Loaded> entry = load(own, counted);
     if (!entry) return std::nullopt;
     try {
       return valueOf<Value>(entry->content);
     } catch (const DamagedBytes&) {
-      discard(own);
+      discard(own, counted);
       return std::nullopt;
     }
   }
@@ -89,12 +94,12 @@ class Cache {
     RawVector<char> file;
     std::string_view content;  ///< of the file
   };
-  std::optional<Loaded> load(const ContentKey& own);
+  std::optional<Loaded> load(const ContentKey& own, Counted counted);
   void save(const ContentKey& own, const std::string& content);
   /// The key with the owner's.
   [[nodiscard]] ContentKey ownKey(const ContentKey& key, HoldsOn where) const;
-  /// Takes back a hit that was none.
-  void discard(const ContentKey& own);
+  /// Removes a damaged entry, and takes back its hit.
+  void discard(const ContentKey& own, Counted counted);
   [[nodiscard]] std::filesystem::path pathOf(const ContentKey& own) const;
   void accountForWritten();
 

@@ -65,7 +65,8 @@ std::vector<std::string> inFormat(std::span<const PlotSheet> sheets, const PlotF
     std::optional<std::string> kept;
     if (cache != nullptr) {
       drawing.key = keyOf(sheet, format.name);
-      kept = cache->find<std::string>(*drawing.key);
+      kept =
+          cache->find<std::string>(*drawing.key, cache::HoldsOn::thisProcessor, cache::Counted::no);
     }
     if (kept) drawing.bytes = std::move(*kept);
     if (!kept) missing.push_back(&drawing);
