@@ -29,14 +29,13 @@ bool areKept(const render::Method& method, glm::ivec2 map) {
 /// The functions that bake, compiled once for all cases.
 std::shared_ptr<const render::BakePass> heldPass(RunScene& scene, const MethodSpec& spec,
                                                  const render::Method& method) {
-  constexpr std::uint64_t bytes = 1 << 20;  // about, in the driver
   return scene.store.get<render::BakePass>(
       scene.keys.program(spec, method),
       [&] {
         return std::make_shared<const render::BakePass>(
             scene.shaders, method, scene.study.relief.field.wrap(), spec.filter, spec.parameters);
       },
-      [](const render::BakePass&) { return bytes; });
+      [](const render::BakePass&) { return programBytes; });
 }
 
 }  // namespace

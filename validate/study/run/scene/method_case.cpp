@@ -41,7 +41,6 @@ void bakeOwn(RunScene& scene, MethodCase& method) {
 /// TexelCounter.
 template <typename Pass>
 std::shared_ptr<const Pass> heldPass(RunScene& scene, const MethodCase& method) {
-  constexpr std::uint64_t bytes = 1 << 20;  // about, in the driver
   const MethodSpec& spec = *method.spec;
   return scene.store.get<Pass>(
       scene.keys.program(spec, method.method),
@@ -50,7 +49,7 @@ std::shared_ptr<const Pass> heldPass(RunScene& scene, const MethodCase& method) 
             scene.shaders, method.method, scene.study.relief.field.wrap(), spec.filter,
             spec.parameters, spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own);
       },
-      [](const Pass&) { return bytes; });
+      [](const Pass&) { return programBytes; });
 }
 
 void compile(RunScene& scene, MethodCase& method) {

@@ -37,6 +37,7 @@ std::vector<compare::Counts> countDisjoint(const Held<Map>& held, const ViewCase
   const std::vector<compare::Counts> all =
       compare::countClasses(held.answer, held.truth, regions, count, seen.weights);
   std::vector<compare::Counts> counts;
+  counts.reserve(truth::reportedRegions.size());
   for (const truth::Region region : truth::reportedRegions) counts.push_back(all[place(region)]);
   return counts;
 }

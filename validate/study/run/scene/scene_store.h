@@ -11,6 +11,9 @@
 
 namespace gnomon::study {
 
+/// What a compiled shader takes in the driver, about.
+constexpr std::uint64_t programBytes = 1 << 20;
+
 /// What the cases of a sweep, or the studies of a command, share: values that took long to make,
 /// kept in memory by the key of all that they depend on, so that a result never depends on whether
 /// one was found. (What outlives the process is the cache's.) Who asked for a value holds it too:

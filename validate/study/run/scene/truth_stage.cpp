@@ -106,6 +106,7 @@ std::vector<Value> rememberLights(RunScene& scene, const KeyOf& keyOf, const Mak
     }
   }
   std::vector<Value> values;
+  values.reserve(found.size());
   for (std::optional<Value>& value : found) values.push_back(std::move(*value));
   return values;
 }
@@ -321,7 +322,7 @@ ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, cons
 
 void traceUncertainty(RunScene& scene, TruthRecord& truth,
                       const std::function<void(const TracedSurface&)>& whileTraced) {
-  truth::MicroMeshSettings twice = scene.study.truth;
+  truth::MicroMeshSettings twice = static_cast<const truth::MicroMeshSettings&>(scene.study.truth);
   twice.stepTexels = 2 * truth.askedStepTexels;
   const cache::ContentKey key = cache::KeyBuilder("half the resolution")
                                     .add("surface", scene.keys.surface())

@@ -213,14 +213,13 @@ std::vector<std::uint8_t> PanelPictures::shade(std::size_t view, std::size_t lig
                                                const BaseCase& base, Shade everywhere) {
   return scene_.clock.measure("pictures", [&](const Progress&) {
     const render::DrawnMesh kind = base.choice.kind;
-    constexpr std::uint64_t bytes = 1 << 20;  // about, in the driver
     const auto pass = scene_.store.get<render::ShadePass>(
         scene_.keys.shading(kind),
         [&] {
           return std::make_shared<const render::ShadePass>(scene_.shaders,
                                                            scene_.study.relief.field.wrap(), kind);
         },
-        [](const render::ShadePass&) { return bytes; });
+        [](const render::ShadePass&) { return programBytes; });
     const render::RenderView& seen = base.views[view].view;
     const auto pixels =
         static_cast<std::size_t>(seen.width) * static_cast<std::size_t>(seen.height);
@@ -388,9 +387,9 @@ TruthFilesRecord PanelPictures::writeTruth(std::size_t view, std::size_t light,
   const cache::ContentKey key = cache::KeyBuilder("truth files")
                                     .add("truth", scene_.keys.truth(base.choice, view, light))
                                     .key();
-  const TruthFilesRecord paths{path("masks", view, light, name), path("regions", view, light, name),
-                               crosses ? path("regions", view, light, name + "_seam") : "",
-                               writeWeights(view)};
+  TruthFilesRecord paths{path("masks", view, light, name), path("regions", view, light, name),
+                         crosses ? path("regions", view, light, name + "_seam") : "",
+                         writeWeights(view)};
   const TruthBytes bytes = scene_.cache.remember(key, [&] {
     return scene_.clock.measure("writing", [&](const Progress&) {
       TruthBytes made;
