@@ -160,8 +160,8 @@ struct TruthFilesRecord {
 
 /// A square of pixels where an answer errs much, beside the truth.
 struct WorstPlace {
-  int left = 0, top = 0;
-  int side = 0;
+  int left = 0, top = 0;      ///< its corner at the left top, pixels
+  int side = 0;               ///< pixels
   double error = 0;           ///< sum over its pixels: see compare::Window
   std::string answer, truth;  ///< WebP for a page
 };
