@@ -45,6 +45,17 @@ TEST_F(Images, MasksReadBackFromTheFile) {
   EXPECT_EQ(back.samples, mask.samples);
 }
 
+TEST_F(Images, MasksAreEightBitGreys) {
+  const Mask mask{3, 1, {lit, dark, none}};
+  EXPECT_EQ(maskImage(mask).values, (std::vector<std::uint8_t>{255, 0, 128}));
+  writePng(folder_ / "mask.png", maskImage(mask));
+  // PNG, IHDR: bits a value and colour type (0: grey) after width and height.
+  const std::string bytes = readFile(folder_ / "mask.png");
+  ASSERT_GT(bytes.size(), 26U);
+  EXPECT_EQ(bytes[24], 8);
+  EXPECT_EQ(bytes[25], 0);
+}
+
 TEST_F(Images, ColoursSurviveTheFileExactly) {
   Image image{16, 16, {}};
   for (int i = 0; i < 3 * 256; ++i) image.rgb.push_back(static_cast<std::uint8_t>((i * 89) % 256));
@@ -56,7 +67,7 @@ TEST_F(Images, ColoursSurviveTheFileExactly) {
 }
 
 TEST_F(Images, SameImageSameBytes) {
-  const Image image = maskImage(Mask{2, 1, {lit, dark}});
+  const ByteImage image = maskImage(Mask{2, 1, {lit, dark}});
   writePng(folder_ / "one.png", image);
   writePng(folder_ / "two.png", image);
   EXPECT_EQ(readFile(folder_ / "one.png"), readFile(folder_ / "two.png"));

@@ -99,15 +99,13 @@ TEST(FrameTimes, GoOnWhileTheMedianIsNotKnownToTwoPercent) {
   EXPECT_EQ(slow.counted(), 2U);
 }
 
-TEST(FrameTimes, EndAfterTheirTimeWithThreeFramesAtLeast) {
+TEST(FrameTimes, EndAfterTheirTimeWithOneFrameAtLeast) {
   Times quick({1.0, 1.03});
   medianOf(quick, {25, 15});
   EXPECT_EQ(quick.counted(), 15U);
   Times longer({10});
   medianOf(longer, {25, 15});
-  EXPECT_EQ(longer.counted(), 3U);
-  Times disturbed({9, 10, 30, 11});
-  EXPECT_EQ(medianOf(disturbed, {25, 15}), 11);
+  EXPECT_EQ(longer.counted(), 2U);
   Times slow({150});
   medianOf(slow, {25, 15});
   EXPECT_EQ(slow.counted(), 1U);

@@ -2,11 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "common/error.h"
 #include "compare/answer_pair.h"
 #include "compare/mask_checks.h"
+#include "compare/mask_tally.h"
 
 namespace gnomon::compare {
 namespace {
@@ -48,6 +51,22 @@ std::vector<Counts> countSums(const Pair& pair, std::span<const double> weights,
     }
   }
   return sums;
+}
+
+/// The same of masks whose samples all weigh 1; none where a sample of a class that takes part is
+/// in one of them only.
+std::optional<std::vector<Counts>> talliedCounts(const Mask& candidate, const Mask& truth,
+                                                 std::span<const std::uint8_t> classes,
+                                                 std::size_t classCount) {
+  requireSameView(candidate, truth);
+  const MaskTally tally(candidate, truth, classes);
+  const std::size_t known = std::min(classCount, MaskTally::classCount);
+  std::vector<Counts> counts(classCount);
+  for (std::size_t c = 0; c < known; ++c) {
+    if (!tally.agreesOnSamples(c)) return std::nullopt;
+    counts[c] = tally.counts(c);
+  }
+  return counts;
 }
 
 template <typename Pair>
@@ -92,6 +111,10 @@ Counts& Counts::operator+=(const Counts& other) {
 
 Counts countSamples(const Mask& candidate, const Mask& truth, std::span<const double> weights,
                     std::span<const std::uint8_t> selected) {
+  if (weights.empty() && selected.empty()) {
+    const auto counts = talliedCounts(candidate, truth, {}, 1);
+    if (counts) return counts->front();
+  }
   return countSelected(MaskPair(candidate, truth), weights, selected);
 }
 
@@ -103,6 +126,10 @@ Counts countSamples(const Visibility& candidate, const Visibility& truth,
 std::vector<Counts> countClasses(const Mask& candidate, const Mask& truth,
                                  std::span<const std::uint8_t> classes, std::size_t classCount,
                                  std::span<const double> weights) {
+  if (weights.empty() && classes.size() == truth.size() && classes.size() > 0) {
+    const auto counts = talliedCounts(candidate, truth, classes, classCount);
+    if (counts) return *counts;
+  }
   return countEach(MaskPair(candidate, truth), classes, classCount, weights);
 }
 

@@ -13,15 +13,16 @@
 
 namespace gnomon::compare {
 
-/// How one sample of a view continues along its light.
+/// How one sample of a view continues along its light. Without a value of its own, so that whoever
+/// fills a field's steps touches their memory first, on all threads; `{}` ends a walk.
 struct LightStep {
   /// Columns and rows (downward) of a step away from the light: together one sample long, or zero
   /// where that has no meaning. A walk ends there.
-  glm::vec2 away{0};
-  float length = 0;    ///< what that step measures along the surface, in any one unit
-  glm::vec3 place{0};  ///< the sample's point of the surface, in that unit
+  glm::vec2 away;
+  float length;     ///< what that step measures along the surface, in any one unit
+  glm::vec3 place;  ///< the sample's point of the surface, in that unit
   /// Upper bound on the distance between neighbouring samples of a connected surface, in that unit.
-  float spacing = 0;
+  float spacing;
 };
 
 /// The steps of all samples of a view, row by row as in its masks.

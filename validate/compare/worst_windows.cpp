@@ -6,22 +6,33 @@
 #include <cstdlib>
 #include <optional>
 
+#include "common/raw_vector.h"
+
 namespace gnomon::compare {
 namespace {
 
 constexpr double steps = 65536;
 
-/// sums[(y, x)]: the errors above y and to the left of x. In steps of 2⁻¹⁶, so that windows of
-/// equal errors have equal sums wherever they lie.
-std::vector<std::int64_t> sumsOf(const std::vector<float>& errors, std::size_t width,
-                                 std::size_t height) {
+/// An error in steps of 2⁻¹⁶, so that windows of equal errors have equal sums wherever they lie.
+std::int64_t inSteps(float error) {
+  if (error == 0) return 0;  // most are
+  return std::llround(steps * error);
+}
+
+/// sums[(y, x)]: the errors above y and to the left of x, in steps.
+RawVector<std::int64_t> sumsOf(const std::vector<float>& errors, std::size_t width,
+                               std::size_t height) {
   const std::size_t row = width + 1;
-  std::vector<std::int64_t> sums(row * (height + 1), 0);
+  RawVector<std::int64_t> sums(row * (height + 1));
+  std::fill_n(sums.begin(), row, 0);
   for (std::size_t y = 0; y < height; ++y) {
+    const std::int64_t* above = &sums[y * row];
+    std::int64_t* own = &sums[(y + 1) * row];
+    std::int64_t inRow = 0;
+    own[0] = 0;
     for (std::size_t x = 0; x < width; ++x) {
-      sums[(y + 1) * row + x + 1] = std::llround(steps * errors[y * width + x]) +
-                                    sums[y * row + x + 1] + sums[(y + 1) * row + x] -
-                                    sums[y * row + x];
+      inRow += inSteps(errors[y * width + x]);
+      own[x + 1] = above[x + 1] + inRow;
     }
   }
   return sums;
@@ -39,7 +50,7 @@ std::vector<Window> worstWindows(const std::vector<float>& errors, int width, in
   std::vector<Window> found;
   if (side < 1) return found;
   const std::size_t row = static_cast<std::size_t>(width) + 1;
-  const std::vector<std::int64_t> sums =
+  const RawVector<std::int64_t> sums =
       sumsOf(errors, static_cast<std::size_t>(width), static_cast<std::size_t>(height));
   const auto sum = [&](int x, int y) {
     return sums[static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x)];

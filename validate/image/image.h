@@ -12,6 +12,13 @@ struct Image {
   std::vector<std::uint8_t> rgb;
 };
 
+/// A picture of 8-bit greys, row by row, row 0 at the top.
+struct ByteImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> values;
+};
+
 /// A picture of 16-bit greys, row by row, row 0 at the top.
 struct GreyImage {
   int width = 0;

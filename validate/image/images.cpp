@@ -26,9 +26,9 @@ void colour(Image& image, std::size_t pixel, const Rgb& with) {
   std::copy(with.begin(), with.end(), &image.rgb[3 * pixel]);
 }
 
-Rgb maskColour(Shade shade) {
-  if (shade == Shade::none) return MaskColours::none;
-  return shade == Shade::lit ? MaskColours::lit : MaskColours::shadowed;
+std::uint8_t maskGrey(Shade shade) {
+  if (shade == Shade::none) return MaskGreys::none;
+  return shade == Shade::lit ? MaskGreys::lit : MaskGreys::shadowed;
 }
 
 Rgb differenceColour(Shade candidate, Shade truth) {
@@ -41,10 +41,10 @@ Rgb differenceColour(Shade candidate, Shade truth) {
 
 }  // namespace
 
-Image maskImage(const Mask& mask) {
+ByteImage maskImage(const Mask& mask) {
   requireWhole(mask);
-  Image image = emptyImage(mask);
-  for (std::size_t i = 0; i < mask.size(); ++i) colour(image, i, maskColour(mask.samples[i]));
+  ByteImage image{mask.width, mask.height, std::vector<std::uint8_t>(mask.size())};
+  std::transform(mask.samples.begin(), mask.samples.end(), image.values.begin(), maskGrey);
   return image;
 }
 
@@ -68,6 +68,10 @@ Image differenceImage(const Mask& candidate, const Mask& truth) {
 }
 
 void writePng(const std::filesystem::path& path, const Image& image) {
+  writeTextAtomically(path, pngOf(image));
+}
+
+void writePng(const std::filesystem::path& path, const ByteImage& image) {
   writeTextAtomically(path, pngOf(image));
 }
 

@@ -12,11 +12,11 @@ namespace gnomon::image {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// The colours of a mask picture. Exact, so that a mask can be read back: see mask_picture.h.
-struct MaskColours {
-  static constexpr Rgb lit{255, 255, 255};
-  static constexpr Rgb shadowed{0, 0, 0};
-  static constexpr Rgb none{128, 128, 128};
+/// The greys of a mask picture. Exact, so that a mask can be read back: see mask_picture.h.
+struct MaskGreys {
+  static constexpr std::uint8_t lit = 255;
+  static constexpr std::uint8_t shadowed = 0;
+  static constexpr std::uint8_t none = 128;
 };
 
 /// The colours of a signed difference. Agreement is grey, errors are orange and blue: a pair that
@@ -32,7 +32,7 @@ struct DifferenceColours {
 
 /// A mask as a picture.
 /// @throws InternalError if the mask's samples do not fill its width × height
-Image maskImage(const Mask& mask);
+ByteImage maskImage(const Mask& mask);
 
 /// Where a candidate differs from the truth, and in which direction.
 /// @throws InputError if the sizes differ or only one of the two has a sample somewhere
@@ -43,10 +43,12 @@ Image differenceImage(const Mask& candidate, const Mask& truth);
 /// @throws InternalError for an image without pixels or over 10⁶ of them a side, and for one whose
 ///   values do not fill its width × height
 std::string pngOf(const Image& image);
+std::string pngOf(const ByteImage& image);
 std::string pngOf(const GreyImage& image);
 
 /// Writes that PNG, whole or not at all.
 /// @throws InputError when the file cannot be written, InternalError as pngOf
 void writePng(const std::filesystem::path& path, const Image& image);
+void writePng(const std::filesystem::path& path, const ByteImage& image);
 
 }  // namespace gnomon::image

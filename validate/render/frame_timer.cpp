@@ -73,8 +73,6 @@ std::string_view frameClockName(FrameClock clock) {
 
 double medianMilliseconds(const std::function<double()>& frame, FrameLimits limits,
                           FirstFrame first) {
-  constexpr double mostMilliseconds = 100;
-  constexpr std::size_t fewest = 3;  // of which one that was disturbed is left out
   std::vector<double> sorted;
   double total = 0;
   if (first == FirstFrame::warmsUp) (void)frame();
@@ -82,8 +80,7 @@ double medianMilliseconds(const std::function<double()>& frame, FrameLimits limi
     const double elapsed = frame();
     sorted.insert(std::upper_bound(sorted.begin(), sorted.end(), elapsed), elapsed);
     total += elapsed;
-    const bool isEnough = total > limits.milliseconds && sorted.size() >= fewest;
-    if (isEnough || total > mostMilliseconds || isMedianKnown(sorted)) break;
+    if (total > limits.milliseconds || isMedianKnown(sorted)) break;
   }
   return quantile(sorted, 0.5);
 }

@@ -36,8 +36,7 @@ struct FrameLimits {
 ///   once the median is known: the interval between two of the sorted times that holds it with 95 %
 ///     whatever the times' distribution (order statistics, by the binomial; nine times are the
 ///     fewest of which it leaves the outermost out) is no wider than 2 % of it;
-///   after about `limits.milliseconds`, at least three; where they are slow, after about 0.1 s, at
-///     least one;
+///   after about `limits.milliseconds`, at least one;
 ///   after `limits.frames`.
 /// The look at every further frame costs little: by simulation, of times that scatter independently
 /// by 0.5 to 5 %, normal or with a tail, the interval at the end holds the median in 93 to 96 %.

@@ -57,6 +57,7 @@ Target::Target(int width, int height, const std::vector<GLenum>& formats, Stenci
       GL_FRAMEBUFFER_COMPLETE) {
     throw InternalError(fmt::format("no framebuffer of {} × {} pixels", width, height));
   }
+  clearDepth();  // so that the first frame's time is not that of getting the memory
 }
 
 void Target::bind() const {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <future>
 
 #include "common/error.h"
 #include "support/error_messages.h"
@@ -45,6 +46,64 @@ TEST(Gnuplot, WithoutTheTerminalThatDrawsIsAnError) {
                 }),
                 StartsWith("gnuplot: "));
   }
+}
+
+/// An SVG of a line, with a title.
+std::string lineScript(const std::string& title) {
+  return "set terminal svg\nset title '" + title + "'\nplot x notitle\n";
+}
+
+/// It, drawn. The last colour of one SVG reaches into the next: the same is drawn before.
+std::string lineDrawn(const std::string& title) {
+  const std::string before = "set terminal svg\nset output '/dev/null'\nplot x\nunset output\n";
+  return drawByGnuplot({lineScript(title)}, {before}).front();
+}
+
+TEST(Gnuplot, DrawsTheSameAfterOtherScripts) {
+  const std::string first = lineDrawn("A");
+  (void)drawByGnuplot({"set terminal svg\nset logscale y\nset xrange [1:7]\nplot x**2\n",
+                       "set terminal pdfcairo\nplot x\n"});
+  EXPECT_NE(lineDrawn("B"), first);
+  EXPECT_EQ(lineDrawn("A"), first);
+  EXPECT_THAT(first, HasSubstr("</svg>"));
+}
+
+TEST(Gnuplot, DrawsOnAfterAScriptThatItRefuses) {
+  const std::string before = lineDrawn("A");
+  EXPECT_THAT(messageOf<InternalError>([] { (void)drawByGnuplot({"set nosuch\n"}); }),
+              StartsWith("gnuplot: "));
+  EXPECT_EQ(lineDrawn("A"), before);
+}
+
+TEST(Gnuplot, AShorterDrawingKeepsNothingOfALonger) {
+  const std::string empty = "set terminal svg\nunset border\nunset tics\nplot [0:1] [0:1] 2\n";
+  const std::string alone = drawByGnuplot({empty}).front();
+  const std::vector<std::string> both = drawByGnuplot({lineScript("long"), empty});
+  ASSERT_GT(both[0].size(), both[1].size());
+  EXPECT_EQ(both[1].size(), alone.size());
+  EXPECT_THAT(both[1], Not(HasSubstr("long")));
+}
+
+TEST(Gnuplot, DrawsForSeveralThreadsAtOnce) {
+  std::vector<std::string> expected;
+  for (int i = 0; i < 8; ++i) {
+    expected.push_back(lineDrawn(std::to_string(i)));
+  }
+  std::vector<std::future<std::string>> drawn;
+  for (int i = 0; i < 8; ++i) {
+    drawn.push_back(std::async(std::launch::async, [i] { return lineDrawn(std::to_string(i)); }));
+  }
+  for (std::size_t i = 0; i < drawn.size(); ++i) EXPECT_TRUE(drawn[i].get() == expected[i]) << i;
+}
+
+TEST(Gnuplot, ThatEndsIsReplaced) {
+  EXPECT_THAT(messageOf<InternalError>([] { (void)drawByGnuplot({"exit gnuplot\n"}); }),
+              StartsWith("gnuplot: "));
+  EXPECT_FALSE(lineDrawn("A").empty());
+  EXPECT_THAT(
+      messageOf<InternalError>([] { (void)drawByGnuplot({"x = system('kill -9 $PPID')\n"}); }),
+      HasSubstr("Killed"));
+  EXPECT_FALSE(lineDrawn("A").empty());
 }
 
 TEST(Gnuplot, ThatIsMissingIsNamed) {

@@ -111,6 +111,12 @@ std::string pngOf(const Image& image) {
                   channels * static_cast<std::size_t>(image.width), image.rgb.data()});
 }
 
+std::string pngOf(const ByteImage& image) {
+  requireWhole(image.width, image.height, 1, image.values.size());
+  return encoded({image.width, image.height, 8, PNG_COLOR_TYPE_GRAY,
+                  static_cast<std::size_t>(image.width), image.values.data()});
+}
+
 std::string pngOf(const GreyImage& image) {
   requireWhole(image.width, image.height, 1, image.values.size());
   std::vector<std::uint8_t> bytes;

@@ -202,6 +202,7 @@ class MethodPass::Frame {
     if (pass.volumes_) {
       counts_.emplace(view.width, view.height, std::vector<GLenum>{}, Target::Stencil::eightBits);
     }
+    clearAnswers();  // so that the first frame's time is not that of getting the memory
   }
 
   /// Whether a pass fills something that depends on the light and on no view.

@@ -7,7 +7,7 @@ namespace gnomon::report {
 image::Rgb regionColour(truth::Region region) {
   switch (region) {
     case truth::Region::none:
-      return image::MaskColours::none;
+      return {image::MaskGreys::none, image::MaskGreys::none, image::MaskGreys::none};
     case truth::Region::lit:
       return {255, 255, 255};
     case truth::Region::attached:

@@ -22,9 +22,10 @@ struct DrawingOptions {
   PdfObjects objects = PdfObjects::compressed;
 };
 
-/// What gnuplot draws for each of several scripts, one after the other in one process, whose start
-/// takes longer than most plots. From one to the next pass only redefined linetypes, and what a
-/// terminal itself remembers.
+/// What gnuplot draws for each of several scripts, one after the other. Its process is kept and
+/// draws the next call's too: its start takes longer than most plots. From one script to the next
+/// pass only redefined linetypes, and what a terminal itself remembers. Calls at the same time have
+/// a process each.
 /// @param scripts  set a terminal, and no output
 /// @throws as runGnuplot, and where a script draws nothing
 std::vector<std::string> drawByGnuplot(const std::vector<std::string>& scripts,

@@ -41,12 +41,32 @@ std::array<std::uint8_t, 3> white(std::size_t) {
   return {255, 255, 255};
 }
 
+std::vector<WorstPlace> placesOf(const Visibility& answer, const Visibility& truth,
+                                 const SampleColour& own, const SampleColour& right) {
+  return worstPlaces(sampleErrors(answer, truth), width, height, own, right, Bytes());
+}
+
+TEST(WorstPlaces, ErrorsOfMasksAreThoseOfTheirShares) {
+  // Every pair of answers.
+  const std::vector<Shade> shades = {Shade::lit, Shade::shadowed, Shade::none};
+  Mask answer{3, 3, {}};
+  Mask truth{3, 3, {}};
+  for (const Shade ours : shades) {
+    for (const Shade theirs : shades) {
+      answer.samples.push_back(ours);
+      truth.samples.push_back(theirs);
+    }
+  }
+  EXPECT_EQ(sampleErrors(answer, truth), sampleErrors(asShares(answer), asShares(truth)));
+  EXPECT_EQ(sampleErrors(answer, truth), (std::vector<float>{0, 1, 0, 1, 0, 0, 0, 0, 0}));
+}
+
 TEST(WorstPlaces, ShowBothPicturesWhereTheErrorIs) {
   const Visibility truth = filled(1);
   Visibility answer = truth;
   answer.shares[placeOf(199, 99)] = 0;
   answer.shares[placeOf(198, 99)] = 0.5F;
-  const auto places = worstPlaces(answer, truth, columnAndRow, white, Bytes());
+  const auto places = placesOf(answer, truth, columnAndRow, white);
   ASSERT_EQ(places.size(), 1U);
   const WorstPlace& place = places[0];
   EXPECT_EQ(place.left, width - worstPlaceSide);
@@ -67,14 +87,14 @@ TEST(WorstPlaces, ShowBothPicturesWhereTheErrorIs) {
 
 TEST(WorstPlaces, OfARightAnswerAreNone) {
   Visibility truth = filled(0.25F);
-  EXPECT_TRUE(worstPlaces(truth, truth, white, white, Bytes()).empty());
+  EXPECT_TRUE(placesOf(truth, truth, white, white).empty());
   Visibility answer = truth;
   truth.shares[7] = answer.shares[7] = noSample;
-  EXPECT_TRUE(worstPlaces(answer, truth, white, white, Bytes()).empty());
+  EXPECT_TRUE(placesOf(answer, truth, white, white).empty());
 }
 
 TEST(WorstPlaces, AreThreeAtMost) {
-  EXPECT_EQ(worstPlaces(filled(0), filled(1), white, white, Bytes()).size(), mostWorstPlaces);
+  EXPECT_EQ(placesOf(filled(0), filled(1), white, white).size(), mostWorstPlaces);
 }
 
 }  // namespace

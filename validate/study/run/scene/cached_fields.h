@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "cache/byte_stream.h"
+#include "common/packed_shades.h"
 #include "compare/block_errors.h"
 #include "compare/confidence_interval.h"
 #include "compare/sample_layout.h"
@@ -23,7 +24,11 @@ namespace gnomon::cache {
 
 template <typename Stream, SameAs<Mask> T>
 void fields(Stream& stream, T& mask) {
-  stream(mask.width, mask.height, mask.samples);
+  std::uint64_t count = mask.samples.size();
+  std::vector<std::uint8_t> packed;
+  if constexpr (std::is_const_v<T>) packed = packedShades(mask.samples);
+  stream(mask.width, mask.height, count, packed);
+  if constexpr (!std::is_const_v<T>) mask.samples = unpackedShades(packed, count);
 }
 
 template <typename Stream, SameAs<render::MethodAnswers> T>

@@ -41,8 +41,8 @@ compare::LightField lightFieldOf(const ViewMap& map, const surface::SampleGrid& 
   parallelFor(
       0, field.steps.size(),
       [&](std::size_t i) {
-        if (!samples.samples[i].isOnSurface()) return;
-        field.steps[i] = lightStep(map, pointOf(i), light);
+        field.steps[i] = samples.samples[i].isOnSurface() ? lightStep(map, pointOf(i), light)
+                                                          : compare::LightStep{};
       },
       1024);
   return field;

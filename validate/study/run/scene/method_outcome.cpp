@@ -110,10 +110,8 @@ OutcomeStage::Shared OutcomeStage::makeShared(const BaseCase& base,
   // Where OpenGL draws in software it compiles on one thread.
   alongside(meanwhile,
             [&] { shared.field = scene_.lightField(base, view_, light_, points.get()); });
-  shared.bins = scene_.clock.measure("bins", [&](const Progress&) {
-    return scene_.cache.remember(scene_.keys.bins(base.choice, view_, light_),
-                                 [&] { return scene_.bins(base, view_, light_); });
-  });
+  shared.bins = scene_.clock.measure(
+      "bins", [&](const Progress&) { return scene_.bins(base, view_, light_); });
   return shared;
 }
 

@@ -109,17 +109,22 @@ SampleBins RunScene::bins(const BaseCase& on, std::size_t view, std::size_t ligh
   const surface::SampleGrid& samples = on.views[view].samples;
   const Vec3 toLight = study.lights[light].direction();
   const std::uint64_t bytes = sizeof(AxisPlace) * samples.samples.size();
-  const bool isSharedByLights = study.lights.size() > 1 || store.expectsCases();
-  if (!isSharedByLights || !store.canHold(bytes)) {
-    return binSamples(surface, study.relief, samples, toLight);
-  }
-  const auto places = store.get<AxisPlaces>(
-      keys.samples(on.choice, view),
-      [&] {
-        return std::make_shared<const AxisPlaces>(axisPlaces(surface, study.relief, samples));
-      },
-      [&](const AxisPlaces&) { return bytes; });
-  return binSamples(samples, *places, toLight);
+  const bool isHeld = store.canHold(bytes);
+  const auto fromPlaces = [&] {
+    const auto places = store.get<AxisPlaces>(
+        keys.samples(on.choice, view),
+        [&] {
+          return std::make_shared<const AxisPlaces>(axisPlaces(surface, study.relief, samples));
+        },
+        [&](const AxisPlaces&) { return bytes; });
+    return binSamples(samples, *places, toLight);
+  };
+  // With the places of the case before it takes less than to keep them.
+  if (isHeld && store.expectsCases()) return fromPlaces();
+  return cache.remember(keys.bins(on.choice, view, light), [&] {
+    return isHeld && study.lights.size() > 1 ? fromPlaces()
+                                             : binSamples(surface, study.relief, samples, toLight);
+  });
 }
 
 }  // namespace gnomon::study

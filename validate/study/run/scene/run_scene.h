@@ -64,7 +64,7 @@ struct RunScene {
   std::shared_ptr<const compare::LightField> lightField(const BaseCase& on, std::size_t view,
                                                         std::size_t light,
                                                         const FieldPoints* points);
-  /// The bins of the samples of one view under one light.
+  /// The bins of the samples of one view under one light; those of a study alone are kept.
   [[nodiscard]] SampleBins bins(const BaseCase& on, std::size_t view, std::size_t light) const;
 
  private:

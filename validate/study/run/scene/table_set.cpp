@@ -9,13 +9,19 @@
 #include "study/spec/with_keys.h"
 
 namespace gnomon::study {
+namespace {
+
+double horizonBytes(const relief::HeightField& field, const horizon::BakeSettings& settings) {
+  return 2 * sizeof(float) * static_cast<double>(field.texels().size()) *
+         static_cast<double>(settings.azimuths);
+}
+
+}  // namespace
 
 bool keepsHorizons(const relief::HeightField& field, const horizon::BakeSettings& settings) {
   // Beyond this, writing them takes longer than baking, and room from everything else.
   constexpr double mostBytes = 5e8;
-  return 2 * sizeof(float) * static_cast<double>(field.texels().size()) *
-             static_cast<double>(settings.azimuths) <=
-         mostBytes;
+  return horizonBytes(field, settings) <= mostBytes;
 }
 
 horizon::HorizonTables keptHorizons(cache::Cache& cache, const relief::HeightField& field,
@@ -23,11 +29,12 @@ horizon::HorizonTables keptHorizons(cache::Cache& cache, const relief::HeightFie
   const auto make = [&] {
     return withKeys("bake", [&] { return horizon::bakeHorizons(field, bake.settings, progress); });
   };
+  constexpr double fewBytes = 1.6e7;  // are baked as fast as they are written, in 0.05 s
+  const bool isKept =
+      keepsHorizons(field, bake.settings) && horizonBytes(field, bake.settings) > fewBytes;
   // The kernel gives the same bits on all instruction sets, see tests/horizon/horizon_targets_test
   // and tests/end_to_end/processors_test.
-  return keepsHorizons(field, bake.settings)
-             ? cache.remember(bakeKey(field, bake), make, cache::HoldsOn::anyProcessor)
-             : make();
+  return isKept ? cache.remember(bakeKey(field, bake), make, cache::HoldsOn::anyProcessor) : make();
 }
 
 const horizon::HorizonTables& TableSet::bake(const BakeSpec& spec, StageClock& clock) {
@@ -71,17 +78,25 @@ const TablePair& TableSet::tables(const BakeSpec& spec, StageClock& clock) {
 }
 
 const render::GpuAngles& TableSet::angles(const BakeSpec& spec, StageClock& clock) {
-  const cache::ContentKey key =
+  const cache::ContentKey settings =
       settingsKey(spec, Enters::horizons | Enters::codes | Enters::flatAngles);
-  const auto found = angles_.find(key);
-  if (found != angles_.end()) return found->second;
-  const horizon::HorizonTables& baked = bake(spec, clock);
-  return clock.measure("tables", [&](const Progress&) -> const render::GpuAngles& {
-    return angles_
-        .try_emplace(key, horizon::horizonAngles(baked, spec.angleLimit, texelsPerHeight_),
-                     spec.bits)
-        .first->second;
-  });
+  std::shared_ptr<const render::GpuAngles>& held = angles_[settings];
+  if (held) return *held;
+  const cache::ContentKey key = cache::KeyBuilder("flat angles")
+                                    .add("bake", bakeKey(field_, spec))
+                                    .add("settings", settings)
+                                    .add("scale", texelsPerHeight_)
+                                    .key();
+  const auto make = [&] {
+    const horizon::HorizonTables& baked = bake(spec, clock);
+    return clock.measure("tables", [&](const Progress&) {
+      return std::make_shared<const render::GpuAngles>(
+          horizon::horizonAngles(baked, spec.angleLimit, texelsPerHeight_), spec.bits);
+    });
+  };
+  held = store_.get<render::GpuAngles>(
+      key, make, [](const render::GpuAngles& angles) { return angles.byteCount(); });
+  return *held;
 }
 
 const render::GpuAngles& TableSet::surfaceAngles(const BakeSpec& spec, const MeshChoice& mesh,

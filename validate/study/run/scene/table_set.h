@@ -63,15 +63,15 @@ class TableSet {
   std::map<cache::ContentKey, std::shared_ptr<const horizon::HorizonTables>> bakes_;
   std::map<cache::ContentKey, std::shared_ptr<const TablePair>> stored_;
   std::map<cache::ContentKey, render::GpuTable> ellipses_;
-  std::map<cache::ContentKey, render::GpuAngles> angles_;
+  std::map<cache::ContentKey, std::shared_ptr<const render::GpuAngles>> angles_;
   std::map<std::pair<MeshChoice, cache::ContentKey>, std::shared_ptr<const render::GpuAngles>>
       surfaceAngles_;
 };
 
-/// Whether a bake is small enough to be kept.
+/// Whether a bake is small enough to be held as a whole, and to be kept.
 bool keepsHorizons(const relief::HeightField& field, const horizon::BakeSettings& settings);
 
-/// bakeHorizons, or what the cache has of it.
+/// bakeHorizons, or what the cache has of it. The cache has none that is baked in 0.05 s.
 horizon::HorizonTables keptHorizons(cache::Cache& cache, const relief::HeightField& field,
                                     const BakeSpec& bake, const Progress& progress);
 

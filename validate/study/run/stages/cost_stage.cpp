@@ -59,7 +59,7 @@ cache::ContentKey costKey(const RunScene& scene, const MethodCase& method,
 }  // namespace
 
 render::FrameLimits frameLimits(int frames, std::size_t cases) {
-  constexpr double casesOfFullTime = 10;
+  constexpr double casesOfFullTime = 5;
   const double share = std::min(1.0, casesOfFullTime / static_cast<double>(cases));
   return {frames, share * render::FrameLimits{}.milliseconds};
 }

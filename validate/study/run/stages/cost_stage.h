@@ -10,7 +10,7 @@
 namespace gnomon::study {
 
 /// How long the frames of one method are timed: of a study for up to 0.1 s. The cases of a sweep
-/// have the time of ten together, if they are more.
+/// have the time of five together, if they are more.
 /// @param cases  of the sweep that the study is one of
 render::FrameLimits frameLimits(int frames, std::size_t cases);
 

@@ -58,15 +58,13 @@ std::uint8_t between(std::uint8_t dark, std::uint8_t lit, double share) {
   return static_cast<std::uint8_t>(std::lround(255 * std::pow(mixed, 1 / encoding)));
 }
 
-Visibility sharesOf(const ShownAnswer& shown) {
-  return shown.isSoft() ? shown.shares : asShares(shown.mask);
-}
-
 /// The grey of an answer's mask: white is lit.
-std::array<std::uint8_t, 3> maskGrey(const Visibility& shares, std::size_t i) {
+std::array<std::uint8_t, 3> maskGrey(const ShownAnswer& shown, std::size_t i) {
   constexpr std::uint8_t none = 128;
-  const float share = shares.shares[i];
-  const auto grey = std::isnan(share) ? none : static_cast<std::uint8_t>(std::lround(255 * share));
+  if (shown.mask.samples[i] == Shade::none) return {none, none, none};
+  const float hard = shown.mask.samples[i] == Shade::lit ? 1.0F : 0.0F;
+  const float share = shown.isSoft() ? shown.shares.shares[i] : hard;
+  const auto grey = static_cast<std::uint8_t>(std::lround(255 * share));
   return {grey, grey, grey};
 }
 
@@ -333,16 +331,14 @@ std::vector<std::string> PanelPictures::writeAnswers(std::size_t view, std::size
 std::vector<WorstPlace> PanelPictures::placesOf(const Answer& answer, const Answer& right) const {
   const ShownAnswer own = answer.drawn();
   const ShownAnswer truth = shownOf(*answer.truth);
-  const Visibility shares = sharesOf(own);
-  const Visibility rightShares = sharesOf(truth);
-  if (answer.sharesPicture) {
-    return worstPlaces(
-        shares, rightShares, [&](std::size_t i) { return answer.mesh.shadingAt(own, i); },
-        [&](std::size_t i) { return right.mesh.shadingAt(truth, i); }, writer_);
-  }
-  return worstPlaces(
-      shares, rightShares, [&](std::size_t i) { return maskGrey(shares, i); },
-      [&](std::size_t i) { return maskGrey(rightShares, i); }, writer_);
+  const std::vector<float> errors =
+      own.isSoft() ? sampleErrors(own.shares, truth.shares) : sampleErrors(own.mask, truth.mask);
+  const auto colourOf = [&](const Answer& shown, const ShownAnswer& of) -> SampleColour {
+    if (answer.sharesPicture) return [&](std::size_t i) { return shown.mesh.shadingAt(of, i); };
+    return [&of](std::size_t i) { return maskGrey(of, i); };
+  };
+  return worstPlaces(errors, own.mask.width, own.mask.height, colourOf(answer, own),
+                     colourOf(right, truth), writer_);
 }
 
 std::vector<std::vector<WorstPlace>> PanelPictures::findPlaces(const std::vector<Answer>& shown) {

@@ -8,15 +8,6 @@
 namespace gnomon::study {
 namespace {
 
-std::vector<float> errorsOf(const Visibility& answer, const Visibility& truth) {
-  std::vector<float> errors(answer.size());
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const float error = std::abs(answer.shares[i] - truth.shares.at(i));
-    errors[i] = std::isnan(error) ? 0 : error;
-  }
-  return errors;
-}
-
 /// A square of a picture as a page embeds it.
 std::string embeddedSquare(const compare::Window& window, int width, const SampleColour& colour,
                            const RunWriter& writer) {
@@ -33,15 +24,35 @@ std::string embeddedSquare(const compare::Window& window, int width, const Sampl
 
 }  // namespace
 
-std::vector<WorstPlace> worstPlaces(const Visibility& answer, const Visibility& truth,
+std::vector<float> sampleErrors(const Mask& answer, const Mask& truth) {
+  std::vector<float> errors(answer.size());
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const Shade ours = answer.samples[i];
+    const Shade theirs = truth.samples.at(i);
+    const bool isWrong = ours != theirs && ours != Shade::none && theirs != Shade::none;
+    errors[i] = isWrong ? 1 : 0;
+  }
+  return errors;
+}
+
+std::vector<float> sampleErrors(const Visibility& answer, const Visibility& truth) {
+  std::vector<float> errors(answer.size());
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const float error = std::abs(answer.shares[i] - truth.shares.at(i));
+    errors[i] = std::isnan(error) ? 0 : error;
+  }
+  return errors;
+}
+
+std::vector<WorstPlace> worstPlaces(const std::vector<float>& errors, int width, int height,
                                     const SampleColour& own, const SampleColour& right,
                                     const RunWriter& writer) {
   std::vector<WorstPlace> places;
-  for (const compare::Window& window : compare::worstWindows(
-           errorsOf(answer, truth), truth.width, truth.height, worstPlaceSide, mostWorstPlaces)) {
+  for (const compare::Window& window :
+       compare::worstWindows(errors, width, height, worstPlaceSide, mostWorstPlaces)) {
     places.push_back({window.left, window.top, window.side, window.error,
-                      embeddedSquare(window, truth.width, own, writer),
-                      embeddedSquare(window, truth.width, right, writer)});
+                      embeddedSquare(window, width, own, writer),
+                      embeddedSquare(window, width, right, writer)});
   }
   return places;
 }
