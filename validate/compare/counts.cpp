@@ -126,7 +126,7 @@ Counts countSamples(const Visibility& candidate, const Visibility& truth,
 std::vector<Counts> countClasses(const Mask& candidate, const Mask& truth,
                                  std::span<const std::uint8_t> classes, std::size_t classCount,
                                  std::span<const double> weights) {
-  if (weights.empty() && classes.size() == truth.size() && classes.size() > 0) {
+  if (weights.empty() && classes.size() == truth.size() && !classes.empty()) {
     const auto counts = talliedCounts(candidate, truth, classes, classCount);
     if (counts) return *counts;
   }

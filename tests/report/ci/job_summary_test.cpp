@@ -14,7 +14,6 @@ namespace {
 using test::passedCheck;
 using test::sampleCheck;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 class JobSummary : public TemporaryFolder {
  protected:

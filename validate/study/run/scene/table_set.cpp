@@ -64,7 +64,8 @@ const TablePair& TableSet::tables(const BakeSpec& spec, StageClock& clock) {
       const auto store = [&](std::span<const float> values) {
         return render::GpuTable(horizon::storeTable(values, spec.bits), baked);
       };
-      return std::make_shared<const TablePair>(store(baked.horizon), store(baked.distance));
+      return std::make_shared<const TablePair>(
+          TablePair{store(baked.horizon), store(baked.distance)});
     });
   };
   const cache::ContentKey key = cache::KeyBuilder("tables")
