@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 
 #include "common/error.h"
 #include "compare/answer_pair.h"
 #include "compare/mask_checks.h"
-#include "compare/mask_tally.h"
 
 namespace gnomon::compare {
 namespace {
@@ -41,20 +39,6 @@ std::vector<Counts> countEachBin(const Pair& pair, std::span<const std::uint8_t>
   return counts;
 }
 
-/// The same of masks whose samples all weigh 1; none where a sample is refused.
-std::optional<std::vector<Counts>> talliedBins(const Mask& candidate, const Mask& truth,
-                                               std::span<const std::uint8_t> bins,
-                                               std::size_t binCount) {
-  const MaskTally tally(candidate, truth, bins);
-  std::vector<Counts> counts(binCount);
-  for (std::size_t bin = 0; bin < noBin; ++bin) {
-    if (bin >= binCount && tally.samples(bin) > 0) return std::nullopt;
-    if (!tally.agreesOnSamples(bin)) return std::nullopt;
-    if (bin < binCount) counts[bin] = tally.counts(bin);
-  }
-  return counts;
-}
-
 }  // namespace
 
 void requireEdges(std::span<const double> edges) {
@@ -74,12 +58,11 @@ std::uint8_t binOf(double value, std::span<const double> edges) {
 std::vector<Counts> countBins(const Mask& candidate, const Mask& truth,
                               std::span<const std::uint8_t> bins, std::size_t binCount,
                               std::span<const double> weights) {
-  const MaskPair pair(candidate, truth);
-  if (weights.empty() && bins.size() == pair.size() && pair.size() > 0) {
-    const auto counts = talliedBins(candidate, truth, bins, binCount);
-    if (counts) return *counts;
+  if (!weights.empty()) return countEachBin(MaskPair(candidate, truth), bins, binCount, weights);
+  for (const std::uint8_t bin : bins) {
+    if (bin != noBin) requireBin(bin, binCount);
   }
-  return countEachBin(pair, bins, binCount, weights);
+  return countClasses(candidate, truth, bins, binCount);  // at most noBin, which is thus no class
 }
 
 std::vector<Counts> countBins(const Visibility& candidate, const Visibility& truth,
