@@ -34,8 +34,7 @@ TEST(FrameTimes, AreTheMedianOfTheFramesAfterTheFirst) {
     std::this_thread::sleep_for(std::chrono::milliseconds(drawn == 0 || drawn == 2 ? 60 : 5));
     ++drawn;
   };
-  const double median =
-      medianFrameMilliseconds(draw, {5, 100}, FirstFrame::warmsUp, FrameClock::wall);
+  const double median = medianFrameMilliseconds(draw, {5, 100}, {}, FrameClock::wall);
   EXPECT_EQ(drawn, 6);
   EXPECT_GE(median, 5);
   EXPECT_LT(median, 60);
@@ -48,7 +47,7 @@ TEST(FrameTimes, OfSlowFramesStopEarly) {
     std::this_thread::sleep_for(std::chrono::milliseconds(150));
     ++drawn;
   };
-  EXPECT_GE(medianFrameMilliseconds(draw, {}, FirstFrame::warmsUp, FrameClock::wall), 150);
+  EXPECT_GE(medianFrameMilliseconds(draw, {}, {}, FrameClock::wall), 150);
   EXPECT_EQ(drawn, 2);
 }
 
@@ -67,7 +66,7 @@ class Times {
 };
 
 double medianOf(Times& times, FrameLimits limits = {}) {
-  return medianMilliseconds([&times] { return times(); }, limits, FirstFrame::warmsUp);
+  return medianMilliseconds([&times] { return times(); }, limits, {});
 }
 
 TEST(FrameTimes, EndOnceTheMedianIsKnown) {
@@ -113,8 +112,17 @@ TEST(FrameTimes, EndAfterTheirTimeWithOneFrameAtLeast) {
 
 TEST(FrameTimes, OfWarmFramesCountTheFirst) {
   Times times({30, 10, 20});
-  EXPECT_EQ(medianMilliseconds([&times] { return times(); }, {3, 100}, FirstFrame::isWarm), 20);
+  EXPECT_EQ(medianMilliseconds([&times] { return times(); }, {3, 100}, {true}), 20);
   EXPECT_EQ(times.taken(), 3U);
+}
+
+TEST(FrameTimes, CountOneThatWasTimedBefore) {
+  Times times({10, 20});
+  EXPECT_EQ(medianMilliseconds([&times] { return times(); }, {3, 100}, {true, 50}), 20);
+  EXPECT_EQ(times.taken(), 2U);
+  Times none({10});
+  EXPECT_EQ(medianMilliseconds([&none] { return none(); }, {3, 100}, {true, 150}), 150);
+  EXPECT_EQ(none.taken(), 0U);
 }
 
 /// What a query answers is the driver's; that it answers without an error, for every frame, is
@@ -122,9 +130,7 @@ TEST(FrameTimes, OfWarmFramesCountTheFirst) {
 TEST(FrameTimes, ByTimerQueriesAreNotNegative) {
   const GlContext gl;
   int drawn = 0;
-  EXPECT_GE(medianFrameMilliseconds([&drawn] { ++drawn; }, {3, 100}, FirstFrame::warmsUp,
-                                    FrameClock::query),
-            0);
+  EXPECT_GE(medianFrameMilliseconds([&drawn] { ++drawn; }, {3, 100}, {}, FrameClock::query), 0);
   EXPECT_EQ(drawn, 4);
 }
 

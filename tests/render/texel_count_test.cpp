@@ -33,9 +33,7 @@ double texelsOf(const RenderScene& scene, const Method& method, double radius = 
   scene.withInputs(method, parameters, [&](Drawing drawn, const GpuTables& gpu) {
     drawn.light = lightToward(20, 30);
     drawn.lightRadius = radius;
-    texels =
-        pass.frameCosts(view, drawn, gpu, {1, 100}, FirstFrame::isWarm, FrameClock::wall, counter)
-            .texels;
+    texels = pass.frameCosts(view, drawn, gpu, {1, 100}, {}, FrameClock::wall, counter).texels;
   });
   return texels;
 }

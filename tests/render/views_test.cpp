@@ -69,6 +69,23 @@ TEST(ShadePass, APictureIsComposedOfThoseAllLitAndAllShadowed) {
   EXPECT_EQ(shaded(mixed), composed);
 }
 
+// A run keeps one picture of all shadowed for all its lights.
+TEST(ShadePass, WhereNothingIsLitNoLightChangesThePicture) {
+  const GlContext gl;
+  const RenderScene scene(surface::makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
+                          horizon::TableBits::eight, 2);
+  const RenderView view = cameraView(cameraAtTheSphere(), scene.mesh);
+  const ShadePass pass(shaderFolder(), scene.relief.field.wrap(), DrawnMesh::base);
+  const auto shaded = [&](Shade everywhere, const Vec3& light) {
+    const Mask mask{160, 120, std::vector<Shade>(160 * 120, everywhere)};
+    return pass.render(view, scene.drawing(light), mask);
+  };
+  const Vec3 above(0, 0, 1);
+  const Vec3 aside = glm::normalize(Vec3(1, 1, 2));
+  EXPECT_EQ(shaded(Shade::shadowed, above), shaded(Shade::shadowed, aside));
+  EXPECT_NE(shaded(Shade::lit, above), shaded(Shade::lit, aside));
+}
+
 TEST(AtlasView, AreasSumToTheSurfacesArea) {
   const GlContext gl;
   const RenderScene scene(surface::makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},

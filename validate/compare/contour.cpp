@@ -102,9 +102,28 @@ void orderByColumn(Contour& contour, std::size_t width) {
   }
 }
 
-/// Whether squared distances have no rounding.
-bool isExact(const SampleLayout& layout) {
-  return layout.columnStep == 1 && layout.rowStep == 1;
+int halfColumns(const Contour& contour) {
+  return static_cast<int>(contour.columnStarts.size()) - 1;
+}
+
+int halfRows(const Contour& contour) {
+  return static_cast<int>(contour.rowStarts.size()) - 1;
+}
+
+/// How many steps of a length lie within a distance, at most `most`.
+int stepsWithin(double distance, double step, int most) {
+  return static_cast<int>(std::min(std::floor(distance / step), static_cast<double>(most)));
+}
+
+/// The row of a side that is not there: farther away than any.
+constexpr int nowhere = std::numeric_limits<int>::max() / 4;
+/// Half columns on either side among which a nearest side is searched one by one.
+constexpr int mostColumnsSearched = 256;
+
+/// A block of half columns whose sides are counted together.
+int blockOf(int halfColumn) {
+  constexpr int columnsOfBlock = 16;
+  return halfColumn / columnsOfBlock;
 }
 
 void requireSides(std::size_t sides) {
@@ -141,40 +160,113 @@ ContourDistances::ContourDistances(const Contour& contour, const SampleLayout& l
     : contour_(contour),
       columnScale_(layout.columnStep / 2),
       rowScale_(layout.rowStep / 2),
-      nearHeight_(isExact(layout) || layout.tileSide > 0 ? nearby * nearby : infinity) {
+      far_(reachOf(mostColumnsSearched * columnScale_)),
+      near_(reachOf(std::min(nearby, far_.distance))),
+      halfRow_(firstHalfRow),
+      neighbours_(static_cast<std::size_t>(halfColumns(contour) + 2 * far_.columns),
+                  {-nowhere, nowhere}),
+      next_(static_cast<std::size_t>(halfColumns(contour))),
+      nearSides_(static_cast<std::size_t>(blockOf(halfColumns(contour)) + 1)),
+      nearBegin_(std::max(0, firstHalfRow - near_.rows)),
+      nearEnd_(nearBegin_) {
   const auto rows = contour.rows.begin();
-  for (std::size_t column = 0; column + 1 < contour.columnStarts.size(); ++column) {
+  for (std::size_t column = 0; column < next_.size(); ++column) {
     const std::size_t begin = contour.columnStarts[column];
     const std::size_t end = contour.columnStarts[column + 1];
-    if (begin == end) continue;
     const auto next = std::lower_bound(rows + static_cast<std::ptrdiff_t>(begin),
                                        rows + static_cast<std::ptrdiff_t>(end), firstHalfRow);
-    columns_.push_back(
-        {static_cast<int>(column), begin, end, static_cast<std::size_t>(next - rows)});
+    next_[column] = static_cast<std::size_t>(next - rows);
+    Neighbours& own = neighbours(column);
+    if (next_[column] > begin) own.above = contour.rows[next_[column] - 1];
+    if (next_[column] < end) own.below = contour.rows[next_[column]];
   }
 }
 
 void ContourDistances::moveTo(int halfRow) {
-  if (halfRow == halfRow_) return;
-  halfRow_ = halfRow;
-  for (Column& column : columns_) {
-    while (column.next < column.end && contour_.rows[column.next] < halfRow) ++column.next;
-    int gap = std::numeric_limits<int>::max();
-    if (column.next < column.end) gap = contour_.rows[column.next] - halfRow;
-    if (column.next > column.begin) gap = std::min(gap, halfRow - contour_.rows[column.next - 1]);
-    const double height = gap * rowScale_;
-    column.height = height * height;
-  }
-  envelop(nearHeight_);
+  if (halfRow != halfRow_) hasEnvelope_ = false;
+  while (halfRow_ < halfRow) passRow(halfRow_++);
+  const int end = std::min(halfRow + near_.rows + 1, halfRows(contour_));
+  while (nearEnd_ < end) countRow(nearEnd_++, 1);
+  while (nearBegin_ < halfRow - near_.rows) countRow(nearBegin_++, -1);
 }
 
-void ContourDistances::envelop(double height) {
-  isWhole_ = height == infinity;
+void ContourDistances::passRow(int halfRow) {
+  const auto row = static_cast<std::size_t>(halfRow);
+  for (std::size_t i = contour_.rowStarts[row]; i < contour_.rowStarts[row + 1]; ++i) {
+    const auto column = static_cast<std::size_t>(contour_.columns[i]);
+    const std::size_t next = ++next_[column];
+    neighbours(column) = {halfRow,
+                          next < contour_.columnStarts[column + 1] ? contour_.rows[next] : nowhere};
+  }
+}
+
+void ContourDistances::countRow(int halfRow, int change) {
+  const auto row = static_cast<std::size_t>(halfRow);
+  for (std::size_t i = contour_.rowStarts[row]; i < contour_.rowStarts[row + 1]; ++i) {
+    nearSides_[static_cast<std::size_t>(blockOf(contour_.columns[i]))] += change;
+  }
+}
+
+int ContourDistances::gapOf(const Neighbours& neighbours) const {
+  return std::min(halfRow_ - neighbours.above, neighbours.below - halfRow_);
+}
+
+bool ContourDistances::hasNearSide(int halfColumn) const {
+  const int first = blockOf(std::max(0, halfColumn - near_.columns));
+  const int last = blockOf(std::min(halfColumn + near_.columns, halfColumns(contour_) - 1));
+  for (int block = first; block <= last; ++block) {
+    if (nearSides_[static_cast<std::size_t>(block)] > 0) return true;
+  }
+  return false;
+}
+
+ContourDistances::Reach ContourDistances::reachOf(double distance) const {
+  return {distance, stepsWithin(distance, columnScale_, mostColumnsSearched),
+          stepsWithin(distance, rowScale_, halfRows(contour_))};
+}
+
+double ContourDistances::search(int halfColumn, const Reach& reach) const {
+  const Neighbours* here = &neighbours_[static_cast<std::size_t>(halfColumn + far_.columns)];
+  double nearest = infinity;
+  for (int steps = 0; steps <= reach.columns; ++steps) {
+    const double along = steps * columnScale_;
+    if (along * along >= nearest) break;
+    const int gap = std::min(gapOf(here[-steps]), gapOf(here[steps]));
+    if (gap > reach.rows) continue;
+    const double height = gap * rowScale_;
+    nearest = std::min(nearest, along * along + height * height);
+  }
+  return nearest <= reach.distance * reach.distance ? std::sqrt(nearest) : infinity;
+}
+
+double ContourDistances::from(int halfColumn) {
+  const double found = search(halfColumn, far_);
+  return found < infinity ? found : fromEnvelope(halfColumn);
+}
+
+double ContourDistances::fromNearby(int halfColumn) {
+  const double found = hasNearSide(halfColumn) ? search(halfColumn, near_) : infinity;
+  return found < infinity || near_.distance >= nearby ? found : fromEnvelope(halfColumn);
+}
+
+double ContourDistances::fromEnvelope(int halfColumn) {
+  if (!hasEnvelope_) envelop();
+  if (envelope_.empty()) return infinity;
+  const double place = halfColumn * columnScale_;
+  while (last_ + 1 < envelope_.size() && envelope_[last_ + 1].from <= place) ++last_;
+  while (envelope_[last_].from > place) --last_;
+  const Parabola& nearest = envelope_[last_];
+  return std::sqrt((place - nearest.place) * (place - nearest.place) + nearest.height);
+}
+
+void ContourDistances::envelop() {
+  hasEnvelope_ = true;
   envelope_.clear();
   last_ = 0;
-  for (const Column& column : columns_) {
-    if (column.height > height) continue;
-    add({column.halfColumn * columnScale_, column.height, -infinity});
+  for (std::size_t column = 0; column < next_.size(); ++column) {
+    if (contour_.columnStarts[column] == contour_.columnStarts[column + 1]) continue;
+    const double height = gapOf(neighbours(column)) * rowScale_;
+    add({static_cast<double>(column) * columnScale_, height * height, -infinity});
   }
 }
 
@@ -190,22 +282,6 @@ void ContourDistances::add(Parabola parabola) {
   }
   if (envelope_.empty()) parabola.from = -infinity;
   envelope_.push_back(parabola);
-}
-
-double ContourDistances::from(int halfColumn) {
-  const double found = fromNearby(halfColumn);
-  if (isWhole_ || found <= nearby) return found;
-  envelop(infinity);
-  return fromNearby(halfColumn);
-}
-
-double ContourDistances::fromNearby(int halfColumn) {
-  if (envelope_.empty()) return infinity;
-  const double place = halfColumn * columnScale_;
-  while (last_ + 1 < envelope_.size() && envelope_[last_ + 1].from <= place) ++last_;
-  while (envelope_[last_].from > place) --last_;
-  const Parabola& nearest = envelope_[last_];
-  return std::sqrt((place - nearest.place) * (place - nearest.place) + nearest.height);
 }
 
 }  // namespace gnomon::compare

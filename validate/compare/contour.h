@@ -29,13 +29,13 @@ struct Contour {
 ///   and finite, or for tiles of a negative side; MemoryError if the contour cannot be held
 Contour contourOf(const Mask& mask, const Mask& other, const SampleLayout& layout);
 
-/// Exact Euclidean distances to the nearest side of a contour, one half row at a time: first to the
-/// nearest side in each half column, then the lower envelope of the parabolas that these give
-/// (Felzenszwalb & Huttenlocher 2012). Takes time in proportion to the half columns that hold a
-/// side, and to the places asked for.
+/// Exact Euclidean distances to the nearest side of a contour, one half row at a time.
 ///
-/// Most places asked for lie near the contour, and there only sides near the half row count: so at
-/// first only those are taken, and all once a place turns out to be farther away.
+/// Most places asked for lie near the contour. The nearest side is found by looking at the half
+/// columns on both sides, at each for the nearest side above and below, until the next column is
+/// farther away than what was found. Where no side is found within some hundred steps, the lower
+/// envelope of the parabolas that all half columns with a side give (Felzenszwalb & Huttenlocher
+/// 2012) is made, once a half row.
 class ContourDistances {
  public:
   /// @param contour       must outlive it
@@ -54,31 +54,46 @@ class ContourDistances {
   static constexpr double nearby = 5;
 
  private:
-  /// A half column with a side: its sides in `rows`, the first of them not above this half row.
-  struct Column {
-    int halfColumn;
-    std::size_t begin, end, next;
-    double height = 0;  ///< squared distance of the nearest of them, along the column
+  /// The half rows of the sides of a half column that are nearest to this half row.
+  struct Neighbours {
+    int above, below;  ///< the latter may be in this half row; far away where there is none
+  };
+  /// How far a side is searched.
+  struct Reach {
+    double distance;    ///< in the layout's unit
+    int columns, rows;  ///< the same in half columns and half rows
   };
   /// Squared distance (x - place)² + height, the lowest of all from x = `from` on.
   struct Parabola {
     double place, height, from;
   };
 
-  /// The envelope of the columns that are at most so high.
-  void envelop(double height);
+  [[nodiscard]] Reach reachOf(double distance) const;
+  /// To the nearest side, if it is within reach; else infinite.
+  [[nodiscard]] double search(int halfColumn, const Reach& reach) const;
+  /// Whether any side may be within the near reach.
+  [[nodiscard]] bool hasNearSide(int halfColumn) const;
+  [[nodiscard]] Neighbours& neighbours(std::size_t halfColumn) {
+    return neighbours_[halfColumn + static_cast<std::size_t>(far_.columns)];
+  }
+  /// In half rows.
+  [[nodiscard]] int gapOf(const Neighbours& neighbours) const;
+  void passRow(int halfRow);
+  void countRow(int halfRow, int change);
+  double fromEnvelope(int halfColumn);
+  void envelop();
   void add(Parabola parabola);
 
   const Contour& contour_;
-  double columnScale_;
-  double rowScale_;
-  /// Squared: columns that are higher are left out of the envelope at first. Infinite where
-  /// distances are rounded, since which of two equally near sides is taken then shows in the last
-  /// bit; but not among tiles, where no distance is stated.
-  double nearHeight_;
-  bool isWhole_ = false;  ///< the envelope is that of all columns
-  int halfRow_ = -1;
-  std::vector<Column> columns_;
+  double columnScale_, rowScale_;
+  Reach far_;   ///< as far as half columns are looked at one by one
+  Reach near_;  ///< `nearby`, or the former where that is less
+  int halfRow_;
+  std::vector<Neighbours> neighbours_;  ///< of each half column, with the far reach about them all
+  std::vector<std::size_t> next_;       ///< of each half column: its first side not above this row
+  std::vector<int> nearSides_;          ///< in blocks of half columns, in the half rows of near_
+  int nearBegin_, nearEnd_;             ///< which these are
+  bool hasEnvelope_ = false;            ///< of this half row
   std::vector<Parabola> envelope_;
   std::size_t last_ = 0;  ///< where in the envelope the last answer was
 };

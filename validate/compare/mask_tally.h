@@ -22,16 +22,19 @@ class MaskTally {
       return 4 * placeOf(candidate.samples[i]) + placeOf(truth.samples[i]);
     };
     const auto tally = [&](const auto& classOf) {
-      // Two sums take turns: neighbours mostly have the same pair, and would wait for each other.
-      std::vector<Pairs> odd(classCount);
+      // Sums take turns: neighbours mostly have the same pair, and would wait for each other.
+      constexpr std::size_t turns = 4;
+      std::array<std::vector<Pairs>, turns> sums;
+      sums.fill(std::vector<Pairs>(classCount));
       std::size_t i = 0;
-      for (; i + 1 < truth.size(); i += 2) {
-        ++pairs_[classOf(i)][pairOf(i)];
-        ++odd[classOf(i + 1)][pairOf(i + 1)];
+      for (; i + turns <= truth.size(); i += turns) {
+        for (std::size_t t = 0; t < turns; ++t) ++sums[t][classOf(i + t)][pairOf(i + t)];
       }
-      if (i < truth.size()) ++pairs_[classOf(i)][pairOf(i)];
-      for (std::size_t c = 0; c < classCount; ++c) {
-        for (std::size_t p = 0; p < odd[c].size(); ++p) pairs_[c][p] += odd[c][p];
+      for (; i < truth.size(); ++i) ++sums[0][classOf(i)][pairOf(i)];
+      for (const std::vector<Pairs>& sum : sums) {
+        for (std::size_t c = 0; c < classCount; ++c) {
+          for (std::size_t p = 0; p < sum[c].size(); ++p) pairs_[c][p] += sum[c][p];
+        }
       }
     };
     if (classes.empty()) {

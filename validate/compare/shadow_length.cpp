@@ -35,14 +35,10 @@ class Walk {
  public:
   enum class Heading { away = 1, toward = -1 };
 
-  /// @param within  of the sample's centre, columns and rows
-  Walk(const LightField& field, std::size_t start, Vec2 within, Heading heading)
-      : field_(field), sign_(static_cast<int>(heading)), index_(start) {
-    const auto width = static_cast<std::size_t>(field.width);
-    const std::size_t column = start % width;
-    const std::size_t row = start / width;
-    position_ = Vec2(static_cast<double>(column), static_cast<double>(row)) + within;
-  }
+  /// @param start     a sample
+  /// @param position  in it, columns and rows
+  Walk(const LightField& field, std::size_t start, Vec2 position, Heading heading)
+      : field_(field), sign_(static_cast<int>(heading)), index_(start), position_(position) {}
 
   [[nodiscard]] std::size_t index() const { return index_; }
   [[nodiscard]] double length() const { return field_.steps[index_].length; }
@@ -51,14 +47,13 @@ class Walk {
   [[nodiscard]] bool advance() {
     if (++taken_ > 4 * (field_.width + field_.height)) return false;  // a field that leads in rings
     const Vec2 next = position_ + sign_ * Vec2(field_.steps[index_].away);
-    const Vec2 nearest = glm::floor(next + 0.5);
+    const Vec2 nearest = next + 0.5;  // rounded down
     if (!(nearest.x >= 0 && nearest.y >= 0 && nearest.x < field_.width &&
           nearest.y < field_.height)) {
       return false;
     }
-    const auto there =
-        static_cast<std::size_t>(nearest.y) * static_cast<std::size_t>(field_.width) +
-        static_cast<std::size_t>(nearest.x);
+    const auto there = static_cast<std::size_t>(
+        static_cast<std::int64_t>(nearest.y) * field_.width + static_cast<std::int64_t>(nearest.x));
     if (!hasDirection(field_, there) || isBreak(index_, there)) return false;
     position_ = next;
     index_ = there;
@@ -157,35 +152,40 @@ class RunFinder {
   /// A length of each candidate.
   using Lengths = std::array<double, mostCandidatesAtOnce>;
 
-  /// A point of the view: a sample and the place in it, from its centre.
+  /// A point of the view: a sample and the place in it, columns and rows.
   struct Start {
     std::size_t sample;
-    Vec2 within;
+    Vec2 position;
   };
 
   /// That start in some of the samples.
   void findFrom(std::size_t first, std::size_t end, Runs& runs) const {
     for (std::size_t i = first; i < end; ++i) {
       if (!isDark(i) || !hasAnswers(i) || !Walk::hasDirection(field_, i)) continue;
-      if (!isBesideLit(i)) continue;
+      const Vec2 centre = centreOf(i);
+      if (!isBesideLit(i, centre)) continue;
       for (int k = 0; k < linesPerRun; ++k) {
-        const Start start{i, lineStart(k)};
+        const Start start{i, centre + lineStart(k)};
         if (isStart(start)) follow(start, runs);
       }
     }
   }
 
   [[nodiscard]] Walk walkFrom(const Start& start, Walk::Heading heading) const {
-    return {field_, start.sample, start.within, heading};
+    return {field_, start.sample, start.position, heading};
+  }
+
+  [[nodiscard]] Vec2 centreOf(std::size_t i) const {
+    const auto width = static_cast<std::size_t>(field_.width);
+    const std::size_t column = i % width;
+    const std::size_t row = i / width;
+    return {static_cast<double>(column), static_cast<double>(row)};
   }
 
   /// Whether a step back from anywhere in a sample may lead into one that the truth lights: few
   /// dark samples lie so, and the others need none of their lines looked at.
-  [[nodiscard]] bool isBesideLit(std::size_t i) const {
+  [[nodiscard]] bool isBesideLit(std::size_t i, const Vec2& centre) const {
     const auto width = static_cast<std::size_t>(field_.width);
-    const std::size_t sampleColumn = i % width;
-    const std::size_t sampleRow = i / width;
-    const Vec2 centre(static_cast<double>(sampleColumn), static_cast<double>(sampleRow));
     // Lines start less than half a sample from the centre.
     const Vec2 first = glm::floor(centre - Vec2(field_.steps[i].away));
     for (const double row : {first.y, first.y + 1}) {

@@ -23,7 +23,8 @@ double wallMilliseconds(const std::function<void()>& draw) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-double queryMilliseconds(const std::function<void()>& draw, const gl::Query& query) {
+double queryMilliseconds(const std::function<void()>& draw) {
+  const gl::Query query = gl::makeTimeQuery();
   glFinish();
   glBeginQuery(GL_TIME_ELAPSED, query.name());
   draw();
@@ -72,12 +73,12 @@ std::string_view frameClockName(FrameClock clock) {
 }
 
 double medianMilliseconds(const std::function<double()>& frame, FrameLimits limits,
-                          FirstFrame first) {
+                          const EarlierFrames& earlier) {
   std::vector<double> sorted;
   double total = 0;
-  if (first == FirstFrame::warmsUp) (void)frame();
+  if (!earlier.isWarm) (void)frame();
   for (int i = 0; i < limits.frames; ++i) {
-    const double elapsed = frame();
+    const double elapsed = i == 0 && earlier.milliseconds ? *earlier.milliseconds : frame();
     sorted.insert(std::upper_bound(sorted.begin(), sorted.end(), elapsed), elapsed);
     total += elapsed;
     if (total > limits.milliseconds || isMedianKnown(sorted)) break;
@@ -86,15 +87,15 @@ double medianMilliseconds(const std::function<double()>& frame, FrameLimits limi
 }
 
 double medianFrameMilliseconds(const std::function<void()>& draw, FrameLimits limits,
-                               FirstFrame first, FrameClock clock) {
-  const gl::Query query = gl::makeTimeQuery();
-  const double median = medianMilliseconds(
-      [&] {
-        return clock == FrameClock::wall ? wallMilliseconds(draw) : queryMilliseconds(draw, query);
-      },
-      limits, first);
+                               const EarlierFrames& earlier, FrameClock clock) {
+  return medianMilliseconds([&] { return frameMilliseconds(draw, clock); }, limits, earlier);
+}
+
+double frameMilliseconds(const std::function<void()>& draw, FrameClock clock) {
+  const double elapsed =
+      clock == FrameClock::wall ? wallMilliseconds(draw) : queryMilliseconds(draw);
   throwOnGlError("timing a frame");
-  return median;
+  return elapsed;
 }
 
 }  // namespace gnomon::render

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string_view>
 
 namespace gnomon::render {
@@ -19,11 +20,13 @@ FrameClock frameClockOf(std::string_view renderer);
 /// As reports say it: "wall clock" or "GL timer queries".
 std::string_view frameClockName(FrameClock clock);
 
-/// Whether the first frame of several would be slower than the others, since the driver compiles
-/// for the state that it is drawn in and allocates memory.
-enum class FirstFrame {
-  warmsUp,  ///< it is drawn before the others, and left out
-  isWarm,   ///< the same has been drawn before
+/// What has been drawn of the frames that are to be timed.
+struct EarlierFrames {
+  /// Whether any has: else the first is slower than the others, since the driver compiles for the
+  /// state that it is drawn in and allocates memory; it is drawn before them, and left out.
+  bool isWarm = false;
+  /// The time of one that was drawn when others had been: it counts as the first of those timed.
+  std::optional<double> milliseconds = {};
 };
 
 /// After how many frames, and after which time, no more are drawn.
@@ -45,12 +48,16 @@ struct FrameLimits {
 /// twenty runs scattered by 6 to 17 %, and still by 6 to 12 % with 0.3 s for slow frames.
 /// @param frame  draws one and returns its time, milliseconds
 double medianMilliseconds(const std::function<double()>& frame, FrameLimits limits,
-                          FirstFrame first);
+                          const EarlierFrames& earlier);
 
 /// The same for frames that `draw` draws.
 /// @param draw  issues the GL commands of one frame; a context is current
 /// @throws InternalError where GL recorded an error
 double medianFrameMilliseconds(const std::function<void()>& draw, FrameLimits limits,
-                               FirstFrame first, FrameClock clock);
+                               const EarlierFrames& earlier, FrameClock clock);
+
+/// The time of one frame.
+/// @throws likewise
+double frameMilliseconds(const std::function<void()>& draw, FrameClock clock);
 
 }  // namespace gnomon::render

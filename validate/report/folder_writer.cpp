@@ -1,5 +1,7 @@
 #include "report/folder_writer.h"
 
+#include <utility>
+
 #include "image/channel_image.h"
 #include "image/images.h"
 #include "image/share_picture.h"
@@ -28,9 +30,8 @@ std::string FolderWriter::weights(int width, int height, const std::vector<doubl
   return image::exrBytes(image);
 }
 
-std::string FolderWriter::picture(int width, int height,
-                                  const std::vector<std::uint8_t>& rgb) const {
-  return image::pngOf(image::Image{width, height, rgb});
+std::string FolderWriter::picture(int width, int height, std::vector<std::uint8_t> rgb) const {
+  return image::pngOf(image::Image{width, height, std::move(rgb)});
 }
 
 std::string FolderWriter::difference(const Mask& candidate, const Mask& truth) const {
@@ -41,9 +42,9 @@ std::string FolderWriter::difference(const Visibility& candidate, const Visibili
   return image::pngOf(image::shareDifferenceImage(candidate, truth));
 }
 
-std::string FolderWriter::embedded(int width, int height, const std::vector<std::uint8_t>& rgb,
+std::string FolderWriter::embedded(int width, int height, std::vector<std::uint8_t> rgb,
                                    study::EmbeddedSize size) const {
-  const image::Image image{width, height, rgb};
+  const image::Image image{width, height, std::move(rgb)};
   return size == study::EmbeddedSize::small
              ? image::webPicture(image, image::smallQuality, image::smallSide)
              : image::webPicture(image, image::fineQuality);

@@ -24,11 +24,11 @@ class FolderWriter : public study::RunWriter {
   [[nodiscard]] std::string weights(int width, int height,
                                     const std::vector<double>& weights) const override;
   [[nodiscard]] std::string picture(int width, int height,
-                                    const std::vector<std::uint8_t>& rgb) const override;
+                                    std::vector<std::uint8_t> rgb) const override;
   [[nodiscard]] std::string difference(const Mask& candidate, const Mask& truth) const override;
   [[nodiscard]] std::string difference(const Visibility& candidate,
                                        const Visibility& truth) const override;
-  [[nodiscard]] std::string embedded(int width, int height, const std::vector<std::uint8_t>& rgb,
+  [[nodiscard]] std::string embedded(int width, int height, std::vector<std::uint8_t> rgb,
                                      study::EmbeddedSize size) const override;
   [[nodiscard]] std::vector<std::uint8_t> displaced(int width, int height,
                                                     const std::vector<float>& light) const override;

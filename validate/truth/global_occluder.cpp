@@ -5,7 +5,6 @@
 
 #include "common/parallel.h"
 #include "truth/flush_denormals.h"
-#include "truth/sample_place.h"
 
 namespace gnomon::truth {
 namespace {
@@ -24,7 +23,8 @@ PathTarget targetOf(const surface::LimitSurface& surface, const MicroMesh& mesh,
 void markGlobal(const surface::LimitSurface& surface, const relief::Relief& relief,
                 const MicroMesh& mesh, const MicroScene& scene, const SurfacePaths& paths,
                 std::span<const int> parts, const surface::SampleGrid& samples,
-                std::span<const TraceSettings> lights, std::span<Truth> truths) {
+                std::span<const TraceSettings> lights, std::span<Truth> truths,
+                const PlacedSamples* placed) {
   const std::size_t count = samples.samples.size();
   if (!parts.empty()) {
     for (Truth& truth : truths) truth.casters.assign(count, noCaster);
@@ -36,11 +36,12 @@ void markGlobal(const surface::LimitSurface& surface, const relief::Relief& reli
     for (std::size_t i = p * piece; i < std::min(count, (p + 1) * piece); ++i) {
       const auto isCast = [&](const Truth& truth) { return isCastShadow(truth.regions[i]); };
       if (std::none_of(truths.begin(), truths.end(), isCast)) continue;
-      const SamplePlace place = placer.place(samples.samples[i]);
+      const surface::SurfaceSample& sample = samples.samples[i];
+      const RayStart start = placed != nullptr ? placed->starts[i] : rayStart(placer.place(sample));
       for (std::size_t l = 0; l < lights.size(); ++l) {
         if (!isCast(truths[l])) continue;
         const Vec3& light = lights[l].light;
-        const Vec3 origin = place.facet.rayOrigin(mesh.rayOffset(lights[l].rayOffset));
+        const Vec3 origin = start.facet.rayOrigin(mesh.rayOffset(lights[l].rayOffset));
         const auto hit = scene.nearest(origin, light);
         if (!hit) continue;  // a ray that grazes an edge
         if (!parts.empty()) {
@@ -48,8 +49,8 @@ void markGlobal(const surface::LimitSurface& surface, const relief::Relief& reli
               static_cast<std::uint8_t>(parts[static_cast<std::size_t>(hit->face)]);
         }
         const Vec3 occluder = mesh.centre() + origin + hit->distance * light;
-        const bool isOnPath = paths.leadTo({place.sample, place.frame.normal, light},
-                                           targetOf(surface, mesh, *hit, occluder));
+        const bool isOnPath =
+            paths.leadTo({sample, start.normal, light}, targetOf(surface, mesh, *hit, occluder));
         if (!isOnPath) truths[l].regions[i] = Region::global;
       }
     }

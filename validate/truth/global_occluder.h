@@ -6,6 +6,7 @@
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 #include "truth/micro_scene.h"
+#include "truth/sample_place.h"
 #include "truth/shadow_tracer.h"
 #include "truth/surface_paths.h"
 
@@ -28,9 +29,11 @@ namespace gnomon::truth {
 /// @param parts   of every face; empty for a surface of one part
 /// @param truths  of these samples, one a light
 /// @param lights  that they were traced with
+/// @param placed  the samples on the mesh, where they are known; null where not
 void markGlobal(const surface::LimitSurface& surface, const relief::Relief& relief,
                 const MicroMesh& mesh, const MicroScene& scene, const SurfacePaths& paths,
                 std::span<const int> parts, const surface::SampleGrid& samples,
-                std::span<const TraceSettings> lights, std::span<Truth> truths);
+                std::span<const TraceSettings> lights, std::span<Truth> truths,
+                const PlacedSamples* placed = nullptr);
 
 }  // namespace gnomon::truth

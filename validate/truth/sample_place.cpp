@@ -25,12 +25,16 @@ SamplePlace SamplePlacer::place(const surface::SurfaceSample& sample) {
   return place;
 }
 
+RayStart rayStart(const SamplePlace& place) {
+  return {place.facet, place.frame.normal, place.defined};
+}
+
 std::size_t placeSamples(SamplePlacer& placer, std::span<const surface::SurfaceSample> samples,
                          std::span<RayStart> starts, std::span<TexelAxes> axes) {
   std::size_t undefined = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const SamplePlace place = placer.place(samples[i]);
-    starts[i] = {place.facet, place.frame.normal, place.defined};
+    starts[i] = rayStart(place);
     axes[i] = {place.frame.px, place.frame.py};
     undefined += samples[i].face >= 0 && !place.defined ? 1 : 0;
   }

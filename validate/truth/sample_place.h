@@ -47,6 +47,8 @@ struct RayStart {
   bool defined;  ///< see SamplePlace
 };
 
+RayStart rayStart(const SamplePlace& place);
+
 /// P_x and P_y at a sample, to measure the length of a ray in texels.
 struct TexelAxes {
   Vec3 px, py;

@@ -96,6 +96,10 @@ class BandTracer {
       if (!blocked[k]) continue;
       shade(i) = Shade::shadowed;
       if (region(i) != Region::lit) continue;
+      if (std::isinf(settings_.radiusTexels)) {
+        region(i) = Region::cast;
+        continue;
+      }
       // A second, shorter ray tells occluders within D from those beyond.
       add(near_, i, {rays.x[k], rays.y[k], rays.z[k]}, static_cast<float>(rayLengthOfRadius(i)));
       if (near_.rays.count == RayPacket::size) traceNear();

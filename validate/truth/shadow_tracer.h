@@ -42,8 +42,9 @@ struct Truth {
 
 /// Light and range of one trace.
 struct TraceSettings {
-  Vec3 light{0, 0, 1};        ///< unit vector toward the directional light
-  double radiusTexels = 128;  ///< D: farther occluders are `distant`
+  Vec3 light{0, 0, 1};  ///< unit vector toward the directional light
+  /// D: farther occluders are `distant`. Where it is infinite none is, and no ray asks.
+  double radiusTexels = 128;
   /// How far over its facet a ray starts, as a share of the mesh's largest coordinate.
   double rayOffset = standardRayOffset;
 };

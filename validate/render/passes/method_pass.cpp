@@ -25,11 +25,12 @@ constexpr std::uint8_t drawnShadowed = 2;
 constexpr std::uint8_t noAnswer = 4;
 
 Mask maskOf(const RenderView& view, const std::vector<std::uint8_t>& answers, std::uint8_t bit) {
-  Mask mask{view.width, view.height, std::vector<Shade>(answers.size(), Shade::none)};
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    if (answers[i] == noAnswer) continue;
-    mask.samples[i] = (answers[i] & bit) == 0 ? Shade::lit : Shade::shadowed;
-  }
+  Mask mask{view.width, view.height, std::vector<Shade>(answers.size())};
+  // Without a branch, so that many are done at once.
+  std::transform(answers.begin(), answers.end(), mask.samples.begin(), [bit](std::uint8_t answer) {
+    const Shade shade = (answer & bit) == 0 ? Shade::lit : Shade::shadowed;
+    return answer == noAnswer ? Shade::none : shade;
+  });
   return mask;
 }
 
@@ -176,7 +177,7 @@ class MethodPass::Frame {
         view_(view),
         drawing_(drawing),
         tables_(tables),
-        isShare_(pass.share_ && drawing.lightRadius > 0),
+        isShare_(pass.answersInShares(drawing)),
         answers_(view.width, view.height,
                  isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F} : std::vector<GLenum>{GL_R8UI}) {
     if (pass.seesLight()) {
@@ -215,13 +216,15 @@ class MethodPass::Frame {
     drawOwn(true);
   }
 
-  /// The view's passes, after the light's.
+  /// All that the answers read.
+  void drawPasses() const {
+    drawLightPasses();
+    drawViewPasses();
+  }
+
+  /// The view's passes and the answers, after the light's passes.
   void drawView() const {
-    if (counts_) pass_.volumes_->draw(view_, drawing_, *counts_);
-    if (cameraDepth_) {
-      pass_.depth_->draw(view_, drawing_.mesh, *cameraDepth_, Sides::front);
-    }
-    drawOwn(false);
+    drawViewPasses();
     clearAnswers();
     drawAnswers(isShare_ ? pass_.share_->name() : pass_.answer_.name(), answers_);
   }
@@ -251,6 +254,14 @@ class MethodPass::Frame {
   }
 
  private:
+  void drawViewPasses() const {
+    if (counts_) pass_.volumes_->draw(view_, drawing_, *counts_);
+    if (cameraDepth_) {
+      pass_.depth_->draw(view_, drawing_.mesh, *cameraDepth_, Sides::front);
+    }
+    drawOwn(false);
+  }
+
   void clearAnswers() const {
     answers_.clearDepth();
     if (isShare_) {
@@ -393,42 +404,61 @@ class MethodPass::Frame {
   Target answers_;
 };
 
+namespace {
+
+/// @param drawer  that of MethodPass::render
+template <typename Frame>
+void drawBy(const FrameDrawer& drawer, const Frame& frame) {
+  if (drawer) {
+    drawer([&] { frame.draw(); });
+  } else {
+    frame.draw();
+  }
+}
+
+}  // namespace
+
 MethodAnswers MethodPass::render(const RenderView& view, const Drawing& drawing,
-                                 const GpuTables& tables) const {
+                                 const GpuTables& tables, const FrameDrawer& drawer) const {
   // The light's centre alone: its disc is for renderVisibility.
   Drawing point = drawing;
   point.lightRadius = 0;
   const Frame frame(*this, view, point, tables);
-  frame.draw();
+  drawBy(drawer, frame);
+  hasDrawnMask_ = true;
   MethodAnswers answers = frame.masks();
   throwOnGlError("rendering a method's mask");
   return answers;
 }
 
 VisibilityAnswers MethodPass::renderVisibility(const RenderView& view, const Drawing& drawing,
-                                               const GpuTables& tables) const {
-  if (!share_ || !(drawing.lightRadius > 0)) {
-    const MethodAnswers answers = render(view, drawing, tables);
+                                               const GpuTables& tables,
+                                               const FrameDrawer& drawer) const {
+  if (!answersInShares(drawing)) {
+    const MethodAnswers answers = render(view, drawing, tables, drawer);
     return {visibilityOf(answers.drawn), visibilityOf(answers.test)};
   }
   const Frame frame(*this, view, drawing, tables);
-  frame.draw();
+  drawBy(drawer, frame);
+  hasDrawnShares_ = true;
   VisibilityAnswers answers = frame.shares();
   throwOnGlError("rendering a method's shares of light");
   return answers;
 }
 
 FrameCosts MethodPass::frameCosts(const RenderView& view, const Drawing& drawing,
-                                  const GpuTables& tables, FrameLimits limits, FirstFrame first,
-                                  FrameClock clock, const TexelCounter& counter) const {
+                                  const GpuTables& tables, FrameLimits limits,
+                                  std::optional<double> drawnIn, FrameClock clock,
+                                  const TexelCounter& counter) const {
   const Frame frame(*this, view, drawing, tables);
+  if (drawnIn) frame.drawPasses();  // it may be the only one: what follows reads them too
   FrameCosts costs;
-  costs.every = medianFrameMilliseconds([&] { frame.draw(); }, limits, first, clock);
+  costs.every =
+      medianFrameMilliseconds([&] { frame.draw(); }, limits, {isWarm(drawing), drawnIn}, clock);
   costs.still = costs.every;
-  // At least one frame has been drawn: the light's passes are filled.
   if (frame.hasLightPasses()) {
     const auto drawView = [&] { frame.drawView(); };
-    costs.still = medianFrameMilliseconds(drawView, limits, FirstFrame::isWarm, clock);
+    costs.still = medianFrameMilliseconds(drawView, limits, {true}, clock);
   }
   costs.texels = frame.texels(counter);
   throwOnGlError("counting the texels that a method reads");

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -53,6 +54,9 @@ struct FrameCosts {
   double texels = 0;
 };
 
+/// Draws a frame by calling what it is given, or times it then.
+using FrameDrawer = std::function<void(const std::function<void()>& draw)>;
+
 /// A method ready to render: its shaders and the passes that it declares.
 class MethodPass {
  public:
@@ -67,19 +71,30 @@ class MethodPass {
   /// The method's answers for every sample of the view.
   /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass, with
   ///                 `lightMesh` for a method that declares one
+  /// @param drawer   draws the frame that the answers are read from; may be left out
   [[nodiscard]] MethodAnswers render(const RenderView& view, const Drawing& drawing,
-                                     const GpuTables& tables) const;
+                                     const GpuTables& tables, const FrameDrawer& drawer = {}) const;
 
   /// The same of a light with a radius. With radius 0 every share is 0 or 1, exactly as `render`
   /// says.
   [[nodiscard]] VisibilityAnswers renderVisibility(const RenderView& view, const Drawing& drawing,
-                                                   const GpuTables& tables) const;
+                                                   const GpuTables& tables,
+                                                   const FrameDrawer& drawer = {}) const;
+
+  /// Whether answers for such a light, a point or a disc, have been drawn: the driver has compiled
+  /// for it.
+  [[nodiscard]] bool isWarm(const Drawing& drawing) const {
+    return answersInShares(drawing) ? hasDrawnShares_ : hasDrawnMask_;
+  }
 
   /// Of the passes that answer for the drawing's light, a point or a disc.
+  /// @param drawnIn  the time of a frame of the same view and drawing, milliseconds, if the answers
+  ///                 were drawn while the pass was warm: it counts as the first of those timed
   /// @param counter  of the same method and settings
   [[nodiscard]] FrameCosts frameCosts(const RenderView& view, const Drawing& drawing,
-                                      const GpuTables& tables, FrameLimits limits, FirstFrame first,
-                                      FrameClock clock, const TexelCounter& counter) const;
+                                      const GpuTables& tables, FrameLimits limits,
+                                      std::optional<double> drawnIn, FrameClock clock,
+                                      const TexelCounter& counter) const;
 
   /// Whether a program of its frame reads a texture, by the sampler's name: what only bakes read is
   /// not there while frames are drawn.
@@ -95,6 +110,9 @@ class MethodPass {
  private:
   class Frame;
 
+  [[nodiscard]] bool answersInShares(const Drawing& drawing) const {
+    return share_ && drawing.lightRadius > 0;
+  }
   [[nodiscard]] bool seesLight() const {
     return passes_.lightDepth || passes_.hasOwn(PassRaster::light);
   }
@@ -117,6 +135,9 @@ class MethodPass {
   gl::Texture nothing_;                   ///< read in the place of a target that is not there yet
   std::optional<DepthPass> depth_;
   std::optional<ShadowVolumePass> volumes_;
+  // What the driver keeps of a program once it is drawn with; no result depends on it.
+  mutable bool hasDrawnMask_ = false;
+  mutable bool hasDrawnShares_ = false;
 };
 
 }  // namespace gnomon::render

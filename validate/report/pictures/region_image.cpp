@@ -1,5 +1,10 @@
 #include "report/pictures/region_image.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "common/error.h"
 
 namespace gnomon::report {
@@ -25,11 +30,16 @@ image::Rgb regionColour(truth::Region region) {
 }
 
 image::Image regionImage(const truth::Truth& truth) {
-  image::Image image{truth.mask.width, truth.mask.height, {}};
-  image.rgb.reserve(3 * truth.regions.size());
-  for (const truth::Region region : truth.regions) {
-    const image::Rgb colour = regionColour(region);
-    image.rgb.insert(image.rgb.end(), colour.begin(), colour.end());
+  image::Image image{truth.mask.width, truth.mask.height,
+                     std::vector<std::uint8_t>(3 * truth.regions.size())};
+  truth::Region last = truth::Region::none;
+  image::Rgb colour = regionColour(last);
+  for (std::size_t i = 0; i < truth.regions.size(); ++i) {
+    if (truth.regions[i] != last) {
+      last = truth.regions[i];
+      colour = regionColour(last);
+    }
+    std::copy(colour.begin(), colour.end(), &image.rgb[3 * i]);
   }
   return image;
 }

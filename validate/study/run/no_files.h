@@ -13,14 +13,14 @@ class NoFiles : public RunWriter {
   [[nodiscard]] std::string weights(int, int, const std::vector<double>&) const override {
     return {};
   }
-  [[nodiscard]] std::string picture(int, int, const std::vector<std::uint8_t>&) const override {
+  [[nodiscard]] std::string picture(int, int, std::vector<std::uint8_t>) const override {
     return {};
   }
   [[nodiscard]] std::string difference(const Mask&, const Mask&) const override { return {}; }
   [[nodiscard]] std::string difference(const Visibility&, const Visibility&) const override {
     return {};
   }
-  [[nodiscard]] std::string embedded(int, int, const std::vector<std::uint8_t>&,
+  [[nodiscard]] std::string embedded(int, int, std::vector<std::uint8_t>,
                                      EmbeddedSize) const override {
     return {};
   }

@@ -27,13 +27,18 @@ namespace {
 /// What a run leaves beside its figures.
 enum class Beside { nothing, memory, picturesAndCosts };
 
+int framesOf(const StudySpec& study, Beside beside) {
+  return beside == Beside::picturesAndCosts ? study.frames : 0;
+}
+
 /// The order of a run's stages, and what passes from one to the next.
 class StudyRun {
  public:
   StudyRun(const StudySpec& study, const render::GlContext& gl, RunWriter& writer,
-           cache::Cache& kept, SceneStore& held, const StageProgress& progress)
+           cache::Cache& kept, SceneStore& held, const StageProgress& progress, Beside beside)
       : study_(study),
-        costs_(render::frameClockOf(gl.driver().renderer)),
+        beside_(beside),
+        costs_(render::frameClockOf(gl.driver().renderer), framesOf(study, beside)),
         clock_(progress),
         scene_(study, clock_, gl, kept, held),
         before_(scene_.cache.counts()),
@@ -43,15 +48,14 @@ class StudyRun {
     record_ = startRecord(study, gl);
   }
 
-  StudyRecord run(Beside beside) {
-    isWhole_ = beside == Beside::picturesAndCosts;
+  StudyRecord run() {
     prepareMethods();
     LadderStage ladders(scene_, surface_.onDemand(), writer_);
     traceTruth(ladders);
     record_.notices = noticesOf(scene_, record_.truth, methods_);
     compareMethods(ladders);
     record_.budgets = ladders.attribute(record_.truth);
-    if (beside != Beside::nothing) measureCosts();
+    if (beside_ != Beside::nothing) measureCosts();
     record_.judgements = judgeThresholds(study_.thresholds, record_);
     record_.timings = clock_.timings();
     if (scene_.cache.isOn()) record_.cache = scene_.cache.counts() - before_;
@@ -60,11 +64,9 @@ class StudyRun {
 
  private:
   void measureCosts() {
-    const int frames = isWhole_ ? study_.frames : 0;
-    if (frames > 0) writer_.beQuiet();
+    if (framesOf(study_, beside_) > 0) writer_.beQuiet();
     for (MethodCase& method : methods_) {
-      if (method.isGiven()) continue;
-      record_.cost.push_back(costs_.measure(scene_, method, frames));
+      if (!method.isGiven()) record_.cost.push_back(costs_.measure(scene_, method));
     }
   }
 
@@ -86,7 +88,7 @@ class StudyRun {
       shootTables(scene_, methods);
     }
     record_.undefinedSamples = traceTruths(scene_, surface_.onDemand());
-    if (isWhole_) pictures_.drawDisplaced(surface_.onDemand());
+    if (hasPictures()) pictures_.drawDisplaced(surface_.onDemand());
     surface_.onDemand().release();  // the fine mesh goes before the coarse one comes
     traceUncertainty(scene_, record_.truth);
   }
@@ -103,7 +105,7 @@ class StudyRun {
           for (const PanelAnswer& answer : answers) (void)answer.answers();
           ladders.measure(l, found);
         }
-        if (isWhole_) record_.panels.push_back(pictures_.draw(v, l, answers));
+        if (hasPictures()) record_.panels.push_back(pictures_.draw(v, l, answers));
       }
       spread.report(record_);
     }
@@ -137,6 +139,10 @@ class StudyRun {
       outcomes.push_back(scene_.cache.find<MethodOutcome>(keys.back()));
       if (!outcomes.back()) missing.push_back({answer.method->base, answer.answers});
     }
+    if (costs_.clockOf(study_, view, light)) {
+      // Before the comparison, which has work for other threads meanwhile.
+      for (const ComparedMethod& method : missing) (void)method.answers();
+    }
     std::vector<MethodOutcome> found =
         OutcomeStage(scene_, view, light, spread.cellSide()).compare(missing);
     auto next = found.begin();
@@ -151,8 +157,10 @@ class StudyRun {
   }
 
   CaseAnswers draw(MethodCase& method, std::size_t view, std::size_t light) {
-    return clock_.measure("methods",
-                          [&](const Progress&) { return answersOf(scene_, method, view, light); });
+    const std::optional<render::FrameClock> clock = costs_.clockOf(study_, view, light);
+    if (clock) writer_.beQuiet();
+    return clock_.measure(
+        "methods", [&](const Progress&) { return answersOf(scene_, method, view, light, clock); });
   }
 
   void addResults(const MethodCase& method, std::size_t view, std::size_t light,
@@ -177,7 +185,10 @@ class StudyRun {
     }
   }
 
+  [[nodiscard]] bool hasPictures() const { return beside_ == Beside::picturesAndCosts; }
+
   const StudySpec& study_;
+  Beside beside_;
   CostStage costs_;
   StageClock clock_;
   RunScene scene_;
@@ -187,7 +198,6 @@ class StudyRun {
   PanelPictures pictures_;
   std::vector<MethodCase> methods_;
   StudyRecord record_;
-  bool isWhole_ = true;
 };
 
 /// Measures what the driver draws right.
@@ -197,7 +207,8 @@ StudyRecord runMeasurable(const StudySpec& study, const render::GlContext& gl, R
   DriverFaults faults(render::shaderFolder(), kept);
   const MeasurableStudy left = measurable(study, faults);
   StudyRecord record =
-      StudyRun(left.reduced ? *left.reduced : study, gl, writer, kept, held, progress).run(beside);
+      StudyRun(left.reduced ? *left.reduced : study, gl, writer, kept, held, progress, beside)
+          .run();
   addRefused(record, study, left.refused);
   return record;
 }

@@ -102,9 +102,9 @@ TEST(LightField, FromPointsIsTheSame) {
   const surface::LimitSurface surface(surface::makeSphere(60, 1.6, 1.2, 20, 15));
   const Camera camera = obliqueCamera();
   const surface::SampleGrid samples = scatteredSamples(surface);
-  const FieldPoints points = makeFieldPoints(surface, samples);
   const render::RenderView seen =
       render::cameraView(camera, surface::makeBaseMesh(surface, Vec2(1), 1));
+  const FieldPoints points = makeFieldPoints(surface, camera, seen, samples);
   for (const double azimuth : {35.0, -70.0}) {
     const Vec3 light = lightToward(azimuth, 40);
     const compare::LightField alone = makeLightField(surface, camera, seen, samples, light);

@@ -17,7 +17,7 @@ constexpr int width = 200, height = 100;
 /// Embeds a picture as its bytes.
 class Bytes : public NoFiles {
  public:
-  [[nodiscard]] std::string embedded(int, int, const std::vector<std::uint8_t>& rgb,
+  [[nodiscard]] std::string embedded(int, int, std::vector<std::uint8_t> rgb,
                                      EmbeddedSize size) const override {
     EXPECT_EQ(size, EmbeddedSize::full);
     return {rgb.begin(), rgb.end()};

@@ -8,9 +8,12 @@
 namespace gnomon::study {
 namespace {
 
-FieldPoint fieldPoint(const surface::LimitSurface& surface, const surface::SurfaceSample& sample) {
+FieldPoint fieldPoint(const ViewMap& map, const surface::LimitSurface& surface,
+                      const surface::SurfaceSample& sample) {
   const surface::TangentPoint point = surface.tangentPoint(sample);
-  return {point.position, point.ds, point.dt, surface::outwardNormal(point)};
+  const Vec3 normal = surface::outwardNormal(point);
+  return {point.position, point.ds, point.dt, normal,
+          static_cast<float>(sampleSpacing(map, point, normal))};
 }
 
 compare::LightStep lightStep(const ViewMap& map, const FieldPoint& at, const Vec3& light) {
@@ -21,15 +24,12 @@ compare::LightStep lightStep(const ViewMap& map, const FieldPoint& at, const Vec
   if (normal == Vec3(0) || !(cosine > 0) || !(glm::length(toLight) > leastSine)) return {};
 
   const Vec3 along = -glm::normalize(toLight);
-  const Vec3 across = glm::cross(normal, along);
   const surface::TangentPoint point{at.position, at.ds, at.dt, Vec2(0), Vec2(0), Vec2(0)};
   const Vec2 image = map.image(point, along);
-  const Vec2 imageAcross = map.image(point, across);
   const double speed = glm::length(image);
-  const double spacing = sampleSpacing(image, imageAcross);
-  if (!std::isfinite(spacing) || !(speed > 0)) return {};
+  if (!std::isfinite(at.spacing) || !(speed > 0)) return {};
   return {glm::vec2(image / speed), static_cast<float>(1 / speed), glm::vec3(point.position),
-          static_cast<float>(spacing)};
+          at.spacing};
 }
 
 /// @param pointOf  `pointOf(i)` is a sample's
@@ -50,14 +50,15 @@ compare::LightField lightFieldOf(const ViewMap& map, const surface::SampleGrid& 
 
 }  // namespace
 
-FieldPoints makeFieldPoints(const surface::LimitSurface& surface,
-                            const surface::SampleGrid& samples) {
+FieldPoints makeFieldPoints(const surface::LimitSurface& surface, const ViewKind& kind,
+                            const render::RenderView& view, const surface::SampleGrid& samples) {
+  const ViewMap map(surface, kind, view);
   FieldPoints points(samples.samples.size());
   parallelFor(
       0, points.size(),
       [&](std::size_t i) {
         const surface::SurfaceSample& sample = samples.samples[i];
-        if (sample.isOnSurface()) points[i] = fieldPoint(surface, sample);
+        if (sample.isOnSurface()) points[i] = fieldPoint(map, surface, sample);
       },
       1024);
   return points;
@@ -66,9 +67,10 @@ FieldPoints makeFieldPoints(const surface::LimitSurface& surface,
 compare::LightField makeLightField(const surface::LimitSurface& surface, const ViewKind& kind,
                                    const render::RenderView& view,
                                    const surface::SampleGrid& samples, const Vec3& light) {
+  const ViewMap map(surface, kind, view);
   return lightFieldOf(
-      ViewMap(surface, kind, view), samples,
-      [&](std::size_t i) { return fieldPoint(surface, samples.samples[i]); }, light);
+      map, samples, [&](std::size_t i) { return fieldPoint(map, surface, samples.samples[i]); },
+      light);
 }
 
 compare::LightField makeLightField(const surface::LimitSurface& surface, const ViewKind& kind,

@@ -13,14 +13,15 @@ namespace gnomon::study {
 /// A sample's point of the surface, as the light fields of all lights need it.
 struct FieldPoint {
   Vec3 position;
-  Vec3 ds, dt;  ///< first derivatives
-  Vec3 normal;  ///< outwardNormal
+  Vec3 ds, dt;    ///< first derivatives
+  Vec3 normal;    ///< outwardNormal
+  float spacing;  ///< sampleSpacing, whatever the light
 };
 
 /// Those of a view's samples; undefined where there is none on the surface.
 using FieldPoints = RawVector<FieldPoint>;
-FieldPoints makeFieldPoints(const surface::LimitSurface& surface,
-                            const surface::SampleGrid& samples);
+FieldPoints makeFieldPoints(const surface::LimitSurface& surface, const ViewKind& kind,
+                            const render::RenderView& view, const surface::SampleGrid& samples);
 
 /// The steps along which the shadows of one light are measured in one view.
 ///

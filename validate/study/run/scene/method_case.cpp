@@ -126,13 +126,14 @@ void requireAnswers(const RunScene& scene, const MethodCase& method, std::size_t
   const Mask& truth = method.base->views[view].truths[light].mask;
   std::size_t left = 0;
   std::size_t samples = 0;
-  std::size_t first = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (truth.samples[i] == Shade::none) continue;
-    ++samples;
-    if (answer.samples[i] == Shade::none && left++ == 0) first = i;
+    const bool isSample = truth.samples[i] != Shade::none;
+    samples += static_cast<std::size_t>(isSample);
+    left += static_cast<std::size_t>(isSample && answer.samples[i] == Shade::none);
   }
   if (left == 0) return;
+  std::size_t first = 0;
+  while (truth.samples[first] == Shade::none || answer.samples[first] != Shade::none) ++first;
   if (method.isGiven()) {
     const auto width = static_cast<std::size_t>(truth.width);
     throw InputError(fmt::format(
@@ -147,19 +148,31 @@ void requireAnswers(const RunScene& scene, const MethodCase& method, std::size_t
       method.spec->label, method.spec->file.string(), left, samples, scene.study.views[view].name));
 }
 
+/// Times a frame by a clock.
+/// @param milliseconds  receives its time
+render::FrameDrawer timedBy(render::FrameClock clock, std::optional<double>& milliseconds) {
+  return [clock, &milliseconds](const std::function<void()>& draw) {
+    milliseconds = render::frameMilliseconds(draw, clock);
+  };
+}
+
 /// What the method's shader draws, by one of the functions of its pass.
+/// @param clock  as in answersOf
 template <typename Answers>
 Answers drawnBy(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light,
+                std::optional<render::FrameClock> clock,
                 Answers (render::MethodPass::*draw)(const render::RenderView&,
                                                     const render::Drawing&,
-                                                    const render::GpuTables&) const) {
+                                                    const render::GpuTables&,
+                                                    const render::FrameDrawer&) const) {
   const cache::ContentKey key = scene.keys.mask(method.key, method.base->choice, view, light);
   return scene.cache.remember(key, [&] {
     const CompiledMethod& ready = compiled(scene, method);
-    Answers rendered = ((*ready.pass).*draw)(method.base->views[view].view,
-                                             drawingOf(scene, method, light), ready.tables);
-    method.compiled->hasDrawn = true;
-    return rendered;
+    const render::Drawing drawing = drawingOf(scene, method, light);
+    const bool isTimed = clock && ready.pass->isWarm(drawing);
+    return ((*ready.pass).*draw)(
+        method.base->views[view].view, drawing, ready.tables,
+        isTimed ? timedBy(*clock, method.compiled->frameMs) : render::FrameDrawer());
   });
 }
 
@@ -172,7 +185,8 @@ CaseAnswers cutAnswers(render::VisibilityAnswers shares) {
 }
 
 /// The method's masks, or what its shader draws.
-CaseAnswers drawnAnswers(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light) {
+CaseAnswers drawnAnswers(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light,
+                         std::optional<render::FrameClock> clock) {
   const bool isSoft = scene.study.lights[light].isSoft();
   if (method.isGiven()) {
     const GivenMask& given = maskOf(method.given, scene.study, view, light);
@@ -180,9 +194,10 @@ CaseAnswers drawnAnswers(RunScene& scene, MethodCase& method, std::size_t view, 
     return {{given.mask, given.mask}};
   }
   if (isSoft) {
-    return cutAnswers(drawnBy(scene, method, view, light, &render::MethodPass::renderVisibility));
+    return cutAnswers(
+        drawnBy(scene, method, view, light, clock, &render::MethodPass::renderVisibility));
   }
-  return {drawnBy(scene, method, view, light, &render::MethodPass::render)};
+  return {drawnBy(scene, method, view, light, clock, &render::MethodPass::render)};
 }
 
 }  // namespace
@@ -261,13 +276,14 @@ bool answersIn(const MethodCase& method, const ViewSpec& view) {
   return !method.method.needsCamera() || cameraOf(view) != nullptr;
 }
 
-CaseAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light) {
-  CaseAnswers answers = drawnAnswers(scene, method, view, light);
+CaseAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light,
+                      std::optional<render::FrameClock> clock) {
+  CaseAnswers answers = drawnAnswers(scene, method, view, light, clock);
   requireAnswers(scene, method, view, light, answers.drawn);
   const Mask& truth = method.base->views[view].truths[light].mask;
   for (Mask* mask : {&answers.drawn, &answers.test}) {
     for (std::size_t i = 0; i < mask->size(); ++i) {
-      if (truth.samples[i] == Shade::none) mask->samples[i] = Shade::none;
+      mask->samples[i] = truth.samples[i] == Shade::none ? Shade::none : mask->samples[i];
     }
   }
   for (Visibility* shares : {&answers.drawnShares, &answers.testShares}) {

@@ -21,7 +21,7 @@ struct CompiledMethod {
   std::shared_ptr<const render::MethodPass> pass;
   render::GpuTables tables;
   std::shared_ptr<const std::vector<render::GpuBake>> bakes = {};  ///< its own, if it has any
-  bool hasDrawn = false;  ///< a mask: frames can be timed without a warm-up
+  std::optional<double> frameMs = {};  ///< of the frame that answersOf timed
 };
 
 /// A method of a study with the mesh that it draws. Its shader is compiled and its tables are baked
@@ -86,8 +86,11 @@ bool answersIn(const MethodCase& method, const ViewSpec& view);
 
 /// A method's answers in one view under one light, without the samples for which no frame exists:
 /// the truth must have been traced. Given masks are pictures: both answers are theirs.
+/// @param clock  where the frame that draws them is to be timed: its time goes to the method's
+///               `frameMs`, if its shader has been drawn with before
 /// @throws InputError for a sample with a truth and without an answer
-CaseAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light);
+CaseAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light,
+                      std::optional<render::FrameClock> clock = {});
 
 /// The cache key of everything computed from those answers and the truth.
 cache::ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,

@@ -84,9 +84,15 @@ std::vector<compare::Counts> countRegions(const Held<Map>& held, const ViewCase&
 }
 
 /// Two answers of a method that do not differ are one mask.
-bool isSame(const CaseAnswers& answers) {
+bool isOneMask(const CaseAnswers& answers) {
   return answers.drawn.samples == answers.test.samples &&
-         gnomon::isSame(answers.drawnShares, answers.testShares);
+         isSame(answers.drawnShares, answers.testShares);
+}
+
+/// Whether two methods answer alike, in one view under one light.
+bool answerAlike(const CaseAnswers& a, const CaseAnswers& b) {
+  return a.drawn.samples == b.drawn.samples && a.test.samples == b.test.samples &&
+         isSame(a.drawnShares, b.drawnShares) && isSame(a.testShares, b.testShares);
 }
 
 /// Calls `work` with an answer and the truth's: as maps under a light with a disc, else as masks.
@@ -139,11 +145,15 @@ std::vector<MethodOutcome> OutcomeStage::compareOnOne(
       place.shares = sharesMetrics(shares, truth.visibility, seen.weights, *shared.field);
     });
   };
+  const std::vector<std::size_t> firsts = firstOfSame(
+      answers.size(),
+      [&](std::size_t a, std::size_t b) { return answerAlike(*answers[a], *answers[b]); });
   for (std::size_t m = 0; m < answers.size(); ++m) {
+    if (firsts[m] != m) continue;
     const CaseAnswers& own = *answers[m];
     MethodOutcome& outcome = outcomes[m];
     judge(own, Answer::drawn, outcome.drawn);
-    if (!isSame(own)) judge(own, Answer::test, outcome.test);
+    if (!isOneMask(own)) judge(own, Answer::test, outcome.test);
     outcome.bins.resize(axes.size());
     for (std::size_t a = 0; a < axes.size(); ++a) {
       parts.emplace_back([&, a] {
@@ -168,7 +178,11 @@ std::vector<MethodOutcome> OutcomeStage::compareOnOne(
     places[k]->boundaries = std::move(boundaries[k]);
   }
   for (std::size_t m = 0; m < answers.size(); ++m) {
-    if (isSame(*answers[m])) outcomes[m].test = outcomes[m].drawn;
+    if (firsts[m] != m) {
+      outcomes[m] = outcomes[firsts[m]];
+    } else if (isOneMask(*answers[m])) {
+      outcomes[m].test = outcomes[m].drawn;
+    }
   }
   return outcomes;
 }

@@ -39,12 +39,12 @@ struct MethodOutcome {
 /// A method to be compared, by the mesh that it draws.
 struct ComparedMethod {
   const BaseCase* base;
-  std::function<const CaseAnswers&()> answers;  ///< draws them; called once, on this thread
+  std::function<const CaseAnswers&()> answers;  ///< draws them if need be; called on this thread
 };
 
 /// Compares masks with the truth of one view under one light. Methods on one mesh, and in an atlas
 /// those on meshes that show the same samples, are compared together: much of a comparison is the
-/// truth's alone.
+/// truth's alone. Of methods that answer alike one is compared.
 class OutcomeStage {
  public:
   /// @param cellSide  of the view's tiling, samples

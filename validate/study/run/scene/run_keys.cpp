@@ -199,6 +199,10 @@ cache::ContentKey RunKeys::layers(const MeshChoice& choice, std::size_t view,
       .key();
 }
 
+cache::ContentKey RunKeys::dark(const MeshChoice& choice, std::size_t view) const {
+  return cache::KeyBuilder("dark").add("samples", samples(choice, view)).key();
+}
+
 cache::ContentKey RunKeys::displacedPicture(std::size_t view, std::size_t index) const {
   cache::KeyBuilder key("displaced picture");
   key.add("surface", surface()).add("light", light(index));

@@ -71,6 +71,8 @@ class RunKeys {
   /// What a view shows of a mesh under one light where all of it is lit, and all shadowed.
   [[nodiscard]] cache::ContentKey layers(const MeshChoice& mesh, std::size_t view,
                                          std::size_t light) const;
+  /// The same where all of it is shadowed, which is the same under all lights.
+  [[nodiscard]] cache::ContentKey dark(const MeshChoice& mesh, std::size_t view) const;
   /// The displaced surface by its own rays, in a camera view.
   [[nodiscard]] cache::ContentKey displacedPicture(std::size_t view, std::size_t light) const;
   /// What a camera sees of that surface, whatever the light.

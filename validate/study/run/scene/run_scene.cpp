@@ -86,7 +86,10 @@ std::shared_ptr<const FieldPoints> RunScene::fieldPoints(const BaseCase& on,
   if (!store.canHold(bytes)) return nullptr;
   return store.get<FieldPoints>(
       keys.samples(on.choice, view),
-      [&] { return std::make_shared<const FieldPoints>(makeFieldPoints(surface, samples)); },
+      [&] {
+        return std::make_shared<const FieldPoints>(
+            makeFieldPoints(surface, study.views[view].kind, on.views[view].view, samples));
+      },
       [&](const FieldPoints&) { return bytes; });
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -35,20 +36,17 @@ std::vector<truth::TraceSettings> settingsOf(const RunScene& scene, double rayOf
   return settings;
 }
 
-/// All lights, one truth each. Where more cases may follow, the samples' places are kept.
+/// The places of a view's samples, which are kept where more cases may follow; null where not.
 /// @param key  of the surface
-std::vector<truth::Truth> trace(RunScene& scene, const TracedSurface& surface,
-                                const cache::ContentKey& key, const BaseCase& base,
-                                std::size_t view, std::span<const truth::TraceSettings> lights,
-                                const Progress& progress) {
+std::shared_ptr<const truth::PlacedSamples> placesOf(RunScene& scene, const TracedSurface& surface,
+                                                     const cache::ContentKey& key,
+                                                     const BaseCase& base, std::size_t view,
+                                                     const Progress& progress) {
   const surface::SampleGrid& samples = base.views[view].samples;
   const std::uint64_t bytes =
       (sizeof(truth::RayStart) + sizeof(truth::TexelAxes)) * samples.samples.size();
-  if (!scene.store.expectsCases() || !scene.store.canHold(bytes)) {
-    return truth::traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene,
-                               samples, lights, progress);
-  }
-  const auto placed = scene.store.get<truth::PlacedSamples>(
+  if (!scene.store.expectsCases() || !scene.store.canHold(bytes)) return nullptr;
+  return scene.store.get<truth::PlacedSamples>(
       cache::KeyBuilder("places")
           .add("surface", key)
           .add("samples", scene.keys.samples(base.choice, view))
@@ -58,6 +56,19 @@ std::vector<truth::Truth> trace(RunScene& scene, const TracedSurface& surface,
             scene.surface, scene.study.relief.texelsPerUv(), surface.mesh, samples, progress));
       },
       [&](const truth::PlacedSamples&) { return bytes; });
+}
+
+/// All lights, one truth each.
+/// @param placed  of placesOf
+std::vector<truth::Truth> trace(RunScene& scene, const TracedSurface& surface,
+                                const truth::PlacedSamples* placed,
+                                const surface::SampleGrid& samples,
+                                std::span<const truth::TraceSettings> lights,
+                                const Progress& progress) {
+  if (placed == nullptr) {
+    return truth::traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene,
+                               samples, lights, progress);
+  }
   std::vector<truth::Truth> truths;
   for (const truth::TraceSettings& light : lights) {
     truths.push_back(truth::traceShadows(surface.scene, *placed, light, progress));
@@ -148,11 +159,12 @@ std::vector<truth::Truth> traceWithRegions(RunScene& scene, const TracedSurface&
   const surface::SampleGrid& samples = base.views[view].samples;
   const auto lights = some(settingsOf(scene, truth::standardRayOffset), which);
   return scene.clock.measure("truth", [&](const Progress& progress) {
+    const auto placed = placesOf(scene, surface, scene.keys.surface(), base, view, progress);
     std::vector<truth::Truth> truths =
-        trace(scene, surface, scene.keys.surface(), base, view, lights, progress);
+        trace(scene, surface, placed.get(), samples, lights, progress);
     truth::markGlobal(scene.surface, scene.study.relief, surface.mesh, surface.scene,
                       *surfacePaths(scene), scene.study.cage.limitFaceParts(), samples, lights,
-                      truths);
+                      truths, placed.get());
     const truth::TextureCharts charts(scene.surface, scene.study.relief);
     auto crossings = truth::seamCrossings(scene.surface, scene.study.relief, surface.mesh,
                                           surface.scene, charts, samples, truths, lights);
@@ -204,9 +216,14 @@ std::vector<UncertaintyRecord> uncertaintiesOf(RunScene& scene, SurfaceOnDemand&
   const auto measure = [&](const std::vector<std::size_t>& missing) {
     requireCoarser(half.get(), truth);
     return scene.clock.measure("uncertainty", [&](const Progress& progress) {
+      std::vector<truth::TraceSettings> lights = some(settingsOf(scene, rays.rayOffset), missing);
+      // Of the coarser truth nobody asks how far its occluders are.
+      for (truth::TraceSettings& light : lights) {
+        light.radiusTexels = std::numeric_limits<double>::infinity();
+      }
+      const auto placed = placesOf(scene, half.get(), halfKey, base, view, progress);
       std::vector<truth::Truth> coarse =
-          trace(scene, half.get(), halfKey, base, view,
-                some(settingsOf(scene, rays.rayOffset), missing), progress);
+          trace(scene, half.get(), placed.get(), base.views[view].samples, lights, progress);
       addShares(scene, half.get(), base.views[view].samples, missing, rays, coarse, progress);
       std::vector<UncertaintyRecord> flips;
       for (std::size_t i = 0; i < coarse.size(); ++i) {

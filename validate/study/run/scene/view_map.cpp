@@ -18,10 +18,7 @@ struct Surrounding {
 };
 
 Surrounding surroundingOf(const ViewMap& map, const surface::TangentPoint& point) {
-  const Vec3 normal = surface::outwardNormal(point);
-  const Vec3 along = glm::normalize(point.ds);
-  const Vec3 across = glm::cross(normal, along);
-  const double spacing = sampleSpacing(map.image(point, along), map.image(point, across));
+  const double spacing = sampleSpacing(map, point, surface::outwardNormal(point));
   return {glm::vec3(point.position), std::isfinite(spacing)
                                          ? static_cast<float>(spacing)
                                          : std::numeric_limits<float>::infinity()};
@@ -106,7 +103,10 @@ Vec2 ViewMap::imageInCamera(const Vec3& position, const Vec3& tangent) const {
   return device * Vec2(view_.width, -view_.height) / 2.0;
 }
 
-double sampleSpacing(Vec2 image, Vec2 imageAcross) {
+double sampleSpacing(const ViewMap& map, const surface::TangentPoint& point, const Vec3& normal) {
+  const Vec3 along = glm::normalize(point.ds);
+  const Vec2 image = map.image(point, along);
+  const Vec2 imageAcross = map.image(point, glm::cross(normal, along));
   // The inverse of the matrix with these two columns: what a column and a row are in the world.
   const double area = image.x * imageAcross.y - image.y * imageAcross.x;
   const double column = std::hypot(imageAcross.y, image.y) / std::abs(area);

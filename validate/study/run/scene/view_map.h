@@ -40,8 +40,8 @@ class ViewMap {
 /// times the world lengths of a column and of a row together, since rounding to the nearest sample
 /// at both ends moves a step by less than 2 of either. Not finite where the surface is seen
 /// edge-on.
-/// @param image, imageAcross  of two unit tangents at right angles
-double sampleSpacing(Vec2 image, Vec2 imageAcross);
+/// @param normal  outwardNormal of the point
+double sampleSpacing(const ViewMap& map, const surface::TangentPoint& point, const Vec3& normal);
 
 /// How a view's samples lie beside each other, for boundary metrics.
 ///

@@ -64,9 +64,18 @@ render::FrameLimits frameLimits(int frames, std::size_t cases) {
   return {frames, share * render::FrameLimits{}.milliseconds};
 }
 
-CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) const {
-  const render::FrameLimits limits = frameLimits(frames, scene.study.sweepCases);
-  const auto view = frames > 0 ? firstCamera(scene.study) : std::nullopt;
+std::optional<std::size_t> CostStage::timedView(const StudySpec& study) const {
+  return frames_ > 0 ? firstCamera(study) : std::nullopt;
+}
+
+std::optional<render::FrameClock> CostStage::clockOf(const StudySpec& study, std::size_t view,
+                                                     std::size_t light) const {
+  return light == 0 && timedView(study) == view ? std::optional(clock_) : std::nullopt;
+}
+
+CostRecord CostStage::measure(RunScene& scene, MethodCase& method) const {
+  const render::FrameLimits limits = frameLimits(frames_, scene.study.sweepCases);
+  const auto view = timedView(scene.study);
   const cache::ContentKey key = costKey(scene, method, view, limits);
   std::optional<KeptCost> cost = scene.cache.find<KeptCost>(key);
   const bool isKept = cost.has_value();
@@ -78,11 +87,9 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
     cost->day = today();
     if (view) {
       const CompiledMethod& ready = compiled(scene, method);
-      const render::FirstFrame first =
-          ready.hasDrawn ? render::FirstFrame::isWarm : render::FirstFrame::warmsUp;
       const render::FrameCosts costs = scene.clock.measure("frame times", [&](const Progress&) {
         return ready.pass->frameCosts(method.base->views[*view].view, drawingOf(scene, method, 0),
-                                      ready.tables, limits, first, clock_,
+                                      ready.tables, limits, ready.frameMs, clock_,
                                       *texelCounter(scene, method));
       });
       cost->frameMs = costs.every;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
+#include "common/lists.h"
 #include "common/on_demand.h"
 #include "common/parallel.h"
 #include "study/run/scene/cached_fields.h"
@@ -34,6 +36,10 @@ struct TruthBytes {
 template <typename Stream, cache::SameAs<TruthBytes> T>
 void fields(Stream& stream, T& bytes) {
   stream(bytes.mask, bytes.regions, bytes.seam);
+}
+
+bool isSame(const ShownAnswer& a, const ShownAnswer& b) {
+  return a.mask.samples == b.mask.samples && gnomon::isSame(a.shares, b.shares);
 }
 
 ShownAnswer shownOf(const truth::Truth& truth) {
@@ -104,25 +110,43 @@ struct PanelPictures::Answer {
   bool sharesPicture;         ///< whether the truth's picture shows its samples
   std::function<ShownAnswer()> drawn;
   std::function<ShownAnswer()> test = {};  ///< of the shadow test alone; none for the truth
+
+  /// Whether all pictures of two answers are the same. Both are drawn.
+  [[nodiscard]] bool looksLike(const Answer& other) const {
+    return truth != nullptr && truth == other.truth && &mesh == &other.mesh &&
+           isSame(drawn(), other.drawn()) && isSame(test(), other.test());
+  }
 };
 
 /// A mesh in a panel. It is drawn only where a picture of it has to be made.
 struct PanelPictures::Mesh {
-  /// With all its samples lit, and with all of them shadowed: RGB.
+  /// With all its samples lit, and with all of them shadowed.
   struct Colours {
-    std::vector<std::uint8_t> lit;
-    std::vector<std::uint8_t> dark;
+    Rgb lit;
+    std::shared_ptr<const Rgb> dark;
   };
 
-  std::size_t layers;  ///< place among the panel's
   OnDemand<Colours> colours;
+  LayersRecord layers = {};  ///< both as a page embeds them, once the queue is finished
 
   /// An answer's shading: the dark colours where it is shadowed, and between both by its shares.
-  [[nodiscard]] std::vector<std::uint8_t> shading(const ShownAnswer& shown) const {
+  [[nodiscard]] Rgb shading(const ShownAnswer& shown) const {
     const Colours& both = colours.get();
-    std::vector<std::uint8_t> rgb = both.lit;
-    for (std::size_t i = 0; i < shown.mask.size(); ++i) {
-      shadeSample(shown, i, &both.dark[3 * i], &rgb[3 * i]);
+    Rgb rgb = both.lit;
+    const std::vector<Shade>& samples = shown.mask.samples;
+    if (shown.isSoft()) {
+      for (std::size_t i = 0; i < samples.size(); ++i)
+        shadeSample(shown, i, *both.dark, &rgb[3 * i]);
+      return rgb;
+    }
+    // Shadowed samples lie together.
+    for (auto first = samples.begin(); first != samples.end();) {
+      first = std::find(first, samples.end(), Shade::shadowed);
+      const auto end =
+          std::find_if(first, samples.end(), [](Shade shade) { return shade != Shade::shadowed; });
+      const auto byte = 3 * (first - samples.begin());
+      std::copy_n(both.dark->begin() + byte, 3 * (end - first), rgb.begin() + byte);
+      first = end;
     }
     return rgb;
   }
@@ -133,14 +157,15 @@ struct PanelPictures::Mesh {
     const Colours& both = colours.get();
     std::array<std::uint8_t, 3> rgb{};
     std::copy_n(&both.lit[3 * i], 3, rgb.data());
-    shadeSample(shown, i, &both.dark[3 * i], rgb.data());
+    shadeSample(shown, i, *both.dark, rgb.data());
     return rgb;
   }
 
  private:
   /// @param rgb  of the sample lit
-  static void shadeSample(const ShownAnswer& shown, std::size_t i, const std::uint8_t* dark,
+  static void shadeSample(const ShownAnswer& shown, std::size_t i, const Rgb& darkColours,
                           std::uint8_t* rgb) {
+    const std::uint8_t* dark = &darkColours[3 * i];
     const double share = shown.isSoft() ? static_cast<double>(shown.shares.shares[i]) : 0;
     if (share > 0) {
       for (std::size_t k = 0; share < 1 && k < 3; ++k) rgb[k] = between(dark[k], rgb[k], share);
@@ -151,7 +176,7 @@ struct PanelPictures::Mesh {
 };
 
 PanelPictures::PanelPictures(RunScene& scene, RunWriter& writer)
-    : scene_(scene), writer_(writer), names_(caseNames(scene.study)) {}
+    : scene_(scene), writer_(writer), queue_(scene.clock), names_(caseNames(scene.study)) {}
 
 std::string PanelPictures::path(const char* folder, std::size_t view, std::size_t light,
                                 const std::string& name) const {
@@ -163,27 +188,33 @@ void PanelPictures::drawDisplaced(SurfaceOnDemand& surface) {
     const Camera* camera = cameraOf(scene_.study.views[v]);
     if (camera == nullptr) continue;
     for (std::size_t l = 0; l < scene_.study.lights.size(); ++l) {
-      PictureBytes bytes = scene_.cache.remember(scene_.keys.displacedPicture(v, l), [&] {
-        const TracedSurface& traced = surface.get();
-        const auto light = lightDisplaced(v, l, *camera, traced);
-        return scene_.clock.measure("writing", [&](const Progress&) {
-          const auto rgb = writer_.displaced(camera->width, camera->height, light);
-          PictureBytes made;
-          parallelFor(0, 2, [&](std::size_t i) {
-            if (i == 0) {
-              made.embedded =
-                  writer_.embedded(camera->width, camera->height, rgb, EmbeddedSize::full);
-            } else {
-              made.file = writer_.picture(camera->width, camera->height, rgb);
-            }
-          });
-          return made;
-        });
-      });
-      scene_.clock.measure("writing", [&](const Progress&) {
+      const cache::ContentKey key = scene_.keys.displacedPicture(v, l);
+      const auto use = [this, v, l](PictureBytes bytes) {
         writer_.write(path("images", v, l, "displaced"), bytes.file);
+        displaced_[{v, l}] = std::move(bytes.embedded);
+      };
+      if (auto found = scene_.cache.find<PictureBytes>(key)) {
+        queue_.add({}, [use, bytes = std::move(*found)] { use(bytes); });
+        continue;
+      }
+      const auto light = lightDisplaced(v, l, *camera, surface.get());
+      const auto rgb = scene_.clock.measure("writing", [&](const Progress&) {
+        return std::make_shared<const Rgb>(writer_.displaced(camera->width, camera->height, light));
       });
-      displaced_[{v, l}] = std::move(bytes.embedded);
+      const auto made = std::make_shared<PictureBytes>();
+      queue_.add(
+          {[this, camera, rgb, made] {
+             made->embedded =
+                 writer_.embedded(camera->width, camera->height, *rgb, EmbeddedSize::full);
+           },
+           [this, camera, rgb, made] {
+             made->file = writer_.picture(camera->width, camera->height, *rgb);
+           }},
+          [this, key, made, use] {
+            scene_.cache.keep(key, *made);
+            use(std::move(*made));
+          },
+          rgb->size());
     }
   }
 }
@@ -207,8 +238,8 @@ std::vector<float> PanelPictures::lightDisplaced(std::size_t view, std::size_t l
   });
 }
 
-std::vector<std::uint8_t> PanelPictures::shade(std::size_t view, std::size_t light,
-                                               const BaseCase& base, Shade everywhere) {
+PanelPictures::Rgb PanelPictures::shade(std::size_t view, std::size_t light, const BaseCase& base,
+                                        Shade everywhere) {
   return scene_.clock.measure("pictures", [&](const Progress&) {
     const render::DrawnMesh kind = base.choice.kind;
     const auto pass = scene_.store.get<render::ShadePass>(
@@ -226,31 +257,41 @@ std::vector<std::uint8_t> PanelPictures::shade(std::size_t view, std::size_t lig
   });
 }
 
-PanelPictures::Mesh PanelPictures::panelMesh(std::size_t view, std::size_t light,
-                                             const BaseCase& base, PanelRecord& panel) {
+std::shared_ptr<const PanelPictures::Rgb> PanelPictures::dark(std::size_t view, std::size_t light,
+                                                              const BaseCase& base) {
+  return scene_.store.get<Rgb>(
+      scene_.keys.dark(base.choice, view),
+      [&] { return std::make_shared<const Rgb>(shade(view, light, base, Shade::shadowed)); },
+      [](const Rgb& rgb) { return rgb.size(); });
+}
+
+void PanelPictures::queueLayers(std::size_t view, std::size_t light, const BaseCase& base,
+                                Mesh& mesh) {
   const cache::ContentKey key = scene_.keys.layers(base.choice, view, light);
-  Mesh mesh{0, OnDemand<Mesh::Colours>([this, view, light, &base] {
-              return Mesh::Colours{shade(view, light, base, Shade::lit),
-                                   shade(view, light, base, Shade::shadowed)};
-            })};
-  if (scene_.study.lights[light].isSoft()) return mesh;  // no page composes its shadings
-  const LayersRecord layers = scene_.cache.remember(key, [&] {
-    const Mesh::Colours& colours = mesh.colours.get();
-    return scene_.clock.measure("writing", [&](const Progress&) {
-      LayersRecord made;
-      parallelFor(0, 2, [&](std::size_t i) {
-        const bool isLit = i == 0;
-        (isLit ? made.lit : made.dark) = writer_.embedded(
-            panel.width, panel.height, isLit ? colours.lit : colours.dark, EmbeddedSize::full);
-      });
-      return made;
-    });
+  if (auto found = scene_.cache.find<LayersRecord>(key)) {
+    mesh.layers = std::move(*found);
+    return;
+  }
+  const Mesh::Colours& colours = mesh.colours.get();
+  const render::RenderView& seen = base.views[view].view;
+  const auto embed = [this, &seen](const Rgb& rgb) {
+    return writer_.embedded(seen.width, seen.height, rgb, EmbeddedSize::full);
+  };
+  std::vector<EncodingQueue::Work> encodings = {
+      [embed, &mesh, &colours] { mesh.layers.lit = embed(colours.lit); }};
+  const cache::ContentKey darkKey = scene_.keys.dark(base.choice, view);
+  const auto held = scene_.store.held<std::string>(darkKey);
+  if (held) {
+    mesh.layers.dark = *held;
+  } else {
+    encodings.emplace_back([embed, &mesh, &colours] { mesh.layers.dark = embed(*colours.dark); });
+  }
+  queue_.add(std::move(encodings), [this, key, darkKey, &mesh] {
+    scene_.cache.keep(key, mesh.layers);
+    scene_.store.get<std::string>(
+        darkKey, [&] { return std::make_shared<const std::string>(mesh.layers.dark); },
+        [](const std::string& bytes) { return bytes.size(); });
   });
-  // Two meshes that differ in nothing that one sees share theirs.
-  const auto place = std::find(panel.layers.begin(), panel.layers.end(), layers);
-  mesh.layers = static_cast<std::size_t>(place - panel.layers.begin());
-  if (place == panel.layers.end()) panel.layers.push_back(layers);
-  return mesh;
 }
 
 /// One picture of an answer.
@@ -260,6 +301,7 @@ struct PanelPictures::Picture {
   std::function<std::string()> make;
   cache::ContentKey key = {};
   std::optional<std::string> bytes = {};
+  const Picture* same = nullptr;  ///< one of another answer that has its bytes
 };
 
 std::vector<PanelPictures::Picture> PanelPictures::picturesOf(std::size_t view, std::size_t light,
@@ -293,39 +335,60 @@ std::vector<PanelPictures::Picture> PanelPictures::picturesOf(std::size_t view, 
   return pictures;
 }
 
-std::vector<std::string> PanelPictures::writeAnswers(std::size_t view, std::size_t light,
-                                                     const std::vector<Answer>& answers) {
+std::vector<std::vector<PanelPictures::Picture>> PanelPictures::queueAnswers(
+    std::size_t view, std::size_t light, const std::vector<Answer>& answers) {
   std::vector<std::vector<Picture>> pictures;
-  std::vector<Picture*> missing;
-  for (const Answer& answer : answers) {
-    std::vector<Picture>& own = pictures.emplace_back(picturesOf(view, light, answer.name, answer));
+  std::vector<std::size_t> drawn;  // answers of which some are not there
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const Answer& answer = answers[i];
     bool isAnyMissing = false;
-    for (Picture& picture : own) {
+    for (Picture& picture : pictures.emplace_back(picturesOf(view, light, answer.name, answer))) {
       picture.key = cache::KeyBuilder(picture.kind).add("answer", answer.key).key();
       picture.bytes = scene_.cache.find<std::string>(picture.key);
-      if (picture.bytes) continue;
-      missing.push_back(&picture);
-      isAnyMissing = true;
+      isAnyMissing = isAnyMissing || !picture.bytes;
     }
-    if (isAnyMissing) {  // drawn here, where OpenGL is
-      (void)answer.drawn();
-      (void)answer.mesh.colours.get();
+    if (!isAnyMissing) continue;
+    (void)answer.drawn();  // here, where OpenGL is
+    (void)answer.mesh.colours.get();
+    drawn.push_back(i);
+  }
+  const std::vector<std::size_t> firsts = firstToLookSo(answers, drawn);
+  std::vector<EncodingQueue::Work> encodings;
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    std::vector<Picture>& own = pictures[drawn[k]];
+    for (std::size_t p = 0; p < own.size(); ++p) {
+      if (own[p].bytes) continue;
+      if (firsts[k] != drawn[k]) {
+        own[p].same = &pictures[firsts[k]][p];
+      } else {
+        encodings.emplace_back([this, picture = &own[p]] {
+          picture->bytes = picture->make();
+          scene_.cache.keep(picture->key, *picture->bytes);
+        });
+      }
     }
   }
-  std::vector<std::string> embedded;
-  scene_.clock.measure("writing", [&](const Progress&) {
-    parallelFor(0, missing.size(), [&](std::size_t i) {
-      missing[i]->bytes = missing[i]->make();
-      scene_.cache.keep(missing[i]->key, *missing[i]->bytes);
-    });
-    for (std::vector<Picture>& own : pictures) {
-      for (const Picture& picture : own) {
-        if (!picture.path.empty()) writer_.write(picture.path, *picture.bytes);
-      }
-      embedded.push_back(std::move(*own.front().bytes));
+  queue_.add(std::move(encodings), [] {});
+  return pictures;
+}
+
+void PanelPictures::write(std::vector<Picture>& pictures) {
+  for (Picture& picture : pictures) {
+    if (picture.same != nullptr) {
+      picture.bytes = picture.same->bytes;
+      scene_.cache.keep(picture.key, *picture.bytes);
     }
+    if (!picture.path.empty()) writer_.write(picture.path, *picture.bytes);
+  }
+}
+
+std::vector<std::size_t> PanelPictures::firstToLookSo(const std::vector<Answer>& answers,
+                                                      const std::vector<std::size_t>& places) {
+  std::vector<std::size_t> firsts = firstOfSame(places.size(), [&](std::size_t a, std::size_t b) {
+    return answers[places[a]].looksLike(answers[places[b]]);
   });
-  return embedded;
+  for (std::size_t& first : firsts) first = places[first];
+  return firsts;
 }
 
 std::vector<WorstPlace> PanelPictures::placesOf(const Answer& answer, const Answer& right) const {
@@ -341,11 +404,12 @@ std::vector<WorstPlace> PanelPictures::placesOf(const Answer& answer, const Answ
                      colourOf(right, truth), writer_);
 }
 
-std::vector<std::vector<WorstPlace>> PanelPictures::findPlaces(const std::vector<Answer>& shown) {
+void PanelPictures::queuePlaces(const std::vector<Answer>& shown,
+                                std::vector<std::vector<WorstPlace>>& places) {
   const Answer& right = shown.back();
-  std::vector<std::vector<WorstPlace>> places(shown.size() - 1);
+  places.resize(shown.size() - 1);
   std::vector<std::size_t> missing;
-  const auto keyOf = [&](std::size_t i) {
+  const auto keyOf = [this, &shown, &right](std::size_t i) {
     return cache::KeyBuilder("worst places")
         .add("answer", shown[i].key)
         .add("truth", right.key)
@@ -363,17 +427,22 @@ std::vector<std::vector<WorstPlace>> PanelPictures::findPlaces(const std::vector
     (void)shown[i].mesh.colours.get();
     (void)right.mesh.colours.get();
   }
-  scene_.clock.measure("writing", [&](const Progress&) {
-    parallelFor(0, missing.size(), [&](std::size_t k) {
-      const std::size_t i = missing[k];
-      places[i] = placesOf(shown[i], right);
-      scene_.cache.keep(keyOf(i), places[i]);
-    });
+  const std::vector<std::size_t> firsts = firstToLookSo(shown, missing);
+  std::vector<EncodingQueue::Work> encodings;
+  for (std::size_t k = 0; k < missing.size(); ++k) {
+    if (firsts[k] != missing[k]) continue;
+    encodings.emplace_back(
+        [this, &shown, &places, i = missing[k]] { places[i] = placesOf(shown[i], shown.back()); });
+  }
+  queue_.add(std::move(encodings), [this, &places, missing, firsts, keyOf] {
+    for (std::size_t k = 0; k < missing.size(); ++k) {
+      if (firsts[k] != missing[k]) places[missing[k]] = places[firsts[k]];
+      scene_.cache.keep(keyOf(missing[k]), places[missing[k]]);
+    }
   });
-  return places;
 }
 
-TruthFilesRecord PanelPictures::writeTruth(std::size_t view, std::size_t light,
+TruthFilesRecord PanelPictures::queueTruth(std::size_t view, std::size_t light,
                                            const BaseCase& base) {
   const BaseCase& standard = scene_.standardBase();
   const truth::Truth& truth = base.views[view].truths[light];
@@ -386,21 +455,25 @@ TruthFilesRecord PanelPictures::writeTruth(std::size_t view, std::size_t light,
   TruthFilesRecord paths{path("masks", view, light, name), path("regions", view, light, name),
                          crosses ? path("regions", view, light, name + "_seam") : "",
                          writeWeights(view)};
-  const TruthBytes bytes = scene_.cache.remember(key, [&] {
-    return scene_.clock.measure("writing", [&](const Progress&) {
-      TruthBytes made;
-      parallelFor(0, 3, [&](std::size_t i) {
-        if (i == 0) made.mask = maskFile(writer_, shownOf(truth));
-        if (i == 1) made.regions = writer_.regions(truth);
-        if (i == 2 && crosses) made.seam = writer_.mask(seamMask(truth));
-      });
-      return made;
-    });
-  });
-  scene_.clock.measure("writing", [&](const Progress&) {
+  const auto write = [this, paths, name, crosses](const TruthBytes& bytes) {
     if (name != "truth") writer_.write(paths.mask, bytes.mask);
     writer_.write(paths.regions, bytes.regions);
     if (crosses) writer_.write(paths.seam, bytes.seam);
+  };
+  if (auto found = scene_.cache.find<TruthBytes>(key)) {
+    queue_.add({}, [write, bytes = std::move(*found)] { write(bytes); });
+    return paths;
+  }
+  const auto made = std::make_shared<TruthBytes>();
+  std::vector<EncodingQueue::Work> encodings = {
+      [this, made, &truth] { made->regions = writer_.regions(truth); },
+      [this, made, &truth] { made->mask = maskFile(writer_, shownOf(truth)); }};
+  if (crosses) {
+    encodings.emplace_back([this, made, &truth] { made->seam = writer_.mask(seamMask(truth)); });
+  }
+  queue_.add(std::move(encodings), [this, key, made, write] {
+    scene_.cache.keep(key, *made);
+    write(*made);
   });
   return paths;
 }
@@ -436,13 +509,21 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
   const auto meshFor = [&](const BaseCase& base) -> const Mesh& {
     const auto found = meshes.find(&base);
     if (found != meshes.end()) return found->second;
-    return meshes.emplace(&base, panelMesh(view, light, base, panel)).first->second;
+    Mesh& mesh =
+        meshes
+            .emplace(&base, Mesh{OnDemand<Mesh::Colours>([this, view, light, &base] {
+              return Mesh::Colours{shade(view, light, base, Shade::lit), dark(view, light, base)};
+            })})
+            .first->second;
+    // Under a light with a disc no page composes shadings.
+    if (!study.lights[light].isSoft()) queueLayers(view, light, base, mesh);
+    return mesh;
   };
   std::map<const BaseCase*, TruthFilesRecord> truths;
   const auto truthAt = [&](const BaseCase& base) {
     const auto found = truths.find(&base);
     if (found != truths.end()) return found->second;
-    return truths.emplace(&base, writeTruth(view, light, base)).first->second;
+    return truths.emplace(&base, queueTruth(view, light, base)).first->second;
   };
   std::vector<Answer> shown;
   for (const PanelAnswer& answer : answers) {
@@ -459,26 +540,39 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
   }
   shown.push_back({"truth", scene_.keys.truth(standard.choice, view, light), meshFor(standard),
                    nullptr, true, [&] { return shownOf(standard.views[view].truths[light]); }});
-  std::vector<std::string> embedded = writeAnswers(view, light, shown);
-  std::vector<std::vector<WorstPlace>> worst = findPlaces(shown);
-  const auto layersOf = [&](const Answer& answer) {
-    return study.lights[light].isSoft() ? std::nullopt : std::optional(answer.mesh.layers);
+  std::vector<std::vector<Picture>> pictures = queueAnswers(view, light, shown);
+  queue_.add({}, [&] {
+    for (std::vector<Picture>& own : pictures) write(own);
+  });
+  std::vector<std::vector<WorstPlace>> worst;
+  queuePlaces(shown, worst);
+  for (const PanelAnswer& answer : answers) (void)truthAt(*answer.method->base);
+  (void)truthAt(standard);
+  queue_.finish();
+  // Two meshes that differ in nothing that one sees share theirs.
+  const auto layersOf = [&](const Answer& answer) -> std::optional<std::size_t> {
+    if (study.lights[light].isSoft()) return std::nullopt;
+    const auto place = std::find(panel.layers.begin(), panel.layers.end(), answer.mesh.layers);
+    const std::ptrdiff_t found = place - panel.layers.begin();
+    if (place == panel.layers.end()) panel.layers.push_back(answer.mesh.layers);
+    return static_cast<std::size_t>(found);
   };
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const std::string& label = study.methods[answers[i].place].label;
-    panel.pictures.push_back({Kind::shaded, label, label,
-                              path("images", view, light, shown[i].name),
-                              path("masks", view, light, shown[i].name), std::move(embedded[i]),
-                              layersOf(shown[i]), truthAt(*answers[i].method->base),
-                              path("masks/test", view, light, shown[i].name), std::move(worst[i])});
+    panel.pictures.push_back(
+        {Kind::shaded, label, label, path("images", view, light, shown[i].name),
+         path("masks", view, light, shown[i].name), std::move(*pictures[i].front().bytes),
+         layersOf(shown[i]), truthAt(*answers[i].method->base),
+         path("masks/test", view, light, shown[i].name), std::move(worst[i])});
   }
   if (const auto displaced = displaced_.find({view, light}); displaced != displaced_.end()) {
     panel.pictures.push_back({Kind::displaced, "truth", "displaced mesh, ray-traced",
                               path("images", view, light, "displaced"), "", displaced->second});
   }
   panel.pictures.push_back({Kind::shaded, "truth", "truth", path("images", view, light, "truth"),
-                            path("masks", view, light, "truth"), std::move(embedded.back()),
-                            layersOf(shown.back()), truthAt(standard)});
+                            path("masks", view, light, "truth"),
+                            std::move(*pictures.back().front().bytes), layersOf(shown.back()),
+                            truthAt(standard)});
   for (const PanelAnswer& answer : answers) {
     const std::string& label = study.methods[answer.place].label;
     panel.pictures.push_back(

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -15,6 +16,7 @@
 #include "study/run/scene/method_case.h"
 #include "study/run/scene/run_scene.h"
 #include "study/run/scene/truth_stage.h"
+#include "study/run/stages/encoding_queue.h"
 #include "study/run/stages/run_writer.h"
 #include "study/spec/file_names.h"
 
@@ -62,6 +64,8 @@ class PanelPictures {
   struct Answer;
   struct Mesh;
   struct Picture;
+  /// 8 bits, row 0 at the top.
+  using Rgb = std::vector<std::uint8_t>;
 
   /// `images/VIEW_LIGHT_NAME.png`, or in another folder.
   [[nodiscard]] std::string path(const char* folder, std::size_t view, std::size_t light,
@@ -71,18 +75,25 @@ class PanelPictures {
   [[nodiscard]] std::vector<Picture> picturesOf(std::size_t view, std::size_t light,
                                                 const std::string& name,
                                                 const Answer& answer) const;
-  /// Writes those of all answers, encoded at the same time where the cache does not have them.
-  /// @return each answer's shading as a page embeds it
-  std::vector<std::string> writeAnswers(std::size_t view, std::size_t light,
-                                        const std::vector<Answer>& answers);
+  /// For each of some answers, which are drawn, the first of them that has the same pictures.
+  /// @param places  of those among all
+  static std::vector<std::size_t> firstToLookSo(const std::vector<Answer>& answers,
+                                                const std::vector<std::size_t>& places);
+  // What `queue…` hands to the queue refers to its arguments and results, and fills these.
+
+  /// @return each answer's pictures, which `write` writes once the queue is finished
+  std::vector<std::vector<Picture>> queueAnswers(std::size_t view, std::size_t light,
+                                                 const std::vector<Answer>& answers);
+  void write(std::vector<Picture>& pictures);
   /// Where an answer errs most. In pictures of masks where the truth's picture shows other samples.
   /// @param right  the truth, as it is shown
   [[nodiscard]] std::vector<WorstPlace> placesOf(const Answer& answer, const Answer& right) const;
   /// The same of all answers but the last, which is the truth.
-  std::vector<std::vector<WorstPlace>> findPlaces(const std::vector<Answer>& shown);
-  /// Writes the truth at a mesh's samples. The mask of the standard base's truth is not among it:
-  /// that is written with its shading.
-  TruthFilesRecord writeTruth(std::size_t view, std::size_t light, const BaseCase& base);
+  void queuePlaces(const std::vector<Answer>& shown, std::vector<std::vector<WorstPlace>>& places);
+  /// The truth at a mesh's samples. The mask of the standard base's truth is not among it: that is
+  /// written with its shading.
+  TruthFilesRecord queueTruth(std::size_t view, std::size_t light, const BaseCase& base);
+  void queueLayers(std::size_t view, std::size_t light, const BaseCase& base, Mesh& mesh);
   /// Writes the weights of an atlas's samples, once: they are the same under all lights and on all
   /// meshes.
   /// @return the file; empty for a camera
@@ -91,13 +102,14 @@ class PanelPictures {
   std::vector<float> lightDisplaced(std::size_t view, std::size_t light, const Camera& camera,
                                     const TracedSurface& traced);
   /// Draws one view of a mesh under one light.
-  std::vector<std::uint8_t> shade(std::size_t view, std::size_t light, const BaseCase& base,
-                                  Shade everywhere);
-  /// A mesh whose layers are among a panel's: those of another that looks alike, or added.
-  Mesh panelMesh(std::size_t view, std::size_t light, const BaseCase& base, PanelRecord& panel);
+  Rgb shade(std::size_t view, std::size_t light, const BaseCase& base, Shade everywhere);
+  /// The same with all samples shadowed: no light changes that (shade.frag), so that it is kept.
+  /// @param light  any
+  std::shared_ptr<const Rgb> dark(std::size_t view, std::size_t light, const BaseCase& base);
 
   RunScene& scene_;
   RunWriter& writer_;
+  EncodingQueue queue_;
   std::set<std::size_t> viewsWithWeights_;  ///< whose file is written
   CaseNames names_;
   /// As a page embeds the displaced surface, by view and light.

@@ -34,15 +34,14 @@ class RunWriter {
                                             const std::vector<double>& weights) const = 0;
   /// A picture: RGB, 8 bits, row 0 at the top.
   [[nodiscard]] virtual std::string picture(int width, int height,
-                                            const std::vector<std::uint8_t>& rgb) const = 0;
+                                            std::vector<std::uint8_t> rgb) const = 0;
   /// The signed difference: where a candidate is wrong, by false shadow or by false light.
   [[nodiscard]] virtual std::string difference(const Mask& candidate, const Mask& truth) const = 0;
   /// The same of two maps, by how much.
   [[nodiscard]] virtual std::string difference(const Visibility& candidate,
                                                const Visibility& truth) const = 0;
   /// A picture as a page embeds it.
-  [[nodiscard]] virtual std::string embedded(int width, int height,
-                                             const std::vector<std::uint8_t>& rgb,
+  [[nodiscard]] virtual std::string embedded(int width, int height, std::vector<std::uint8_t> rgb,
                                              EmbeddedSize size) const = 0;
   /// The colours of the displaced surface by its own rays.
   /// @param light  diffuse light per pixel, 0 to 1, -1 for background

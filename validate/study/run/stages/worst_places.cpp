@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "compare/worst_windows.h"
 
@@ -19,7 +20,7 @@ std::string embeddedSquare(const compare::Window& window, int width, const Sampl
       rgb.insert(rgb.end(), found.begin(), found.end());
     }
   }
-  return writer.embedded(window.side, window.side, rgb, EmbeddedSize::full);
+  return writer.embedded(window.side, window.side, std::move(rgb), EmbeddedSize::full);
 }
 
 }  // namespace
