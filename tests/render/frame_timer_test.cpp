@@ -93,7 +93,7 @@ TEST(FrameTimes, GoOnWhileTheMedianIsNotKnownToTwoPercent) {
   Times few({10});
   medianOf(few, {5, 100});
   EXPECT_EQ(few.counted(), 5U);
-  Times slow({100});
+  Times slow({60});
   medianOf(slow);
   EXPECT_EQ(slow.counted(), 2U);
 }
@@ -105,6 +105,9 @@ TEST(FrameTimes, EndAfterTheirTimeWithOneFrameAtLeast) {
   Times longer({10});
   medianOf(longer, {25, 15});
   EXPECT_EQ(longer.counted(), 2U);
+  Times another({11});  // would lead from 4 before the end to 7 after it
+  medianOf(another, {25, 15});
+  EXPECT_EQ(another.counted(), 1U);
   Times slow({150});
   medianOf(slow, {25, 15});
   EXPECT_EQ(slow.counted(), 1U);

@@ -40,7 +40,12 @@ struct MarkedScene {
                             double radiusTexels = 1000) const {
     const std::array lights = {TraceSettings{light, radiusTexels, standardRayOffset}};
     std::vector<Truth> truths = traceShadows(surface, relief, mesh, scene, samples, lights);
+    std::vector<Truth> fromPlaces = truths;
     markGlobal(surface, relief, mesh, scene, paths, parts, samples, lights, truths);
+    const PlacedSamples placed = placeSamples(surface, relief.texelsPerUv(), mesh, samples);
+    markGlobal(surface, relief, mesh, scene, paths, parts, samples, lights, fromPlaces, &placed);
+    EXPECT_EQ(fromPlaces.front().regions, truths.front().regions);
+    EXPECT_EQ(fromPlaces.front().casters, truths.front().casters);
     return truths.front();
   }
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "truth/truth_scenes.h"
 
@@ -91,6 +92,18 @@ TEST(ShadowTracer, TellsCastFromDistantByTheTablesRadius) {
     const Region expected = x > end ? Region::lit : reach(x) > 10 ? Region::distant : Region::cast;
     EXPECT_EQ(truth.regions[i], expected) << x;
   }
+}
+
+TEST(ShadowTracer, NothingIsDistantWithinAnInfiniteRadius) {
+  const TruthScene scene = wallScene();
+  const surface::SampleGrid samples =
+      sampleLine(scene.surface, scene.relief, {32.6, 16}, {62.6, 16}, 300);
+  const Vec3 light = lightToward(180, 20);
+  const Truth far = scene.trace(samples, light, 1000);
+  const Truth infinite = scene.trace(samples, light, std::numeric_limits<double>::infinity());
+  EXPECT_GT(std::count(far.regions.begin(), far.regions.end(), Region::cast), 100);
+  EXPECT_EQ(infinite.regions, far.regions);
+  EXPECT_EQ(infinite.mask.samples, far.mask.samples);
 }
 
 TEST(ShadowTracer, FacetsTurnedFromTheLightAreAttached) {

@@ -78,9 +78,12 @@ class ContourDistances {
   }
   /// In half rows.
   [[nodiscard]] int gapOf(const Neighbours& neighbours) const;
+  /// Goes beyond a half row: its sides are above from there on.
   void passRow(int halfRow);
+  /// Adds `change` for each of its sides to `nearSides_`.
   void countRow(int halfRow, int change);
   double fromEnvelope(int halfColumn);
+  /// Makes that of this half row.
   void envelop();
   void add(Parabola parabola);
 

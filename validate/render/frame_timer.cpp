@@ -81,7 +81,8 @@ double medianMilliseconds(const std::function<double()>& frame, FrameLimits limi
     const double elapsed = i == 0 && earlier.milliseconds ? *earlier.milliseconds : frame();
     sorted.insert(std::upper_bound(sorted.begin(), sorted.end(), elapsed), elapsed);
     total += elapsed;
-    if (total > limits.milliseconds || isMedianKnown(sorted)) break;
+    // Half of another would come before the end, half after it.
+    if (total + elapsed / 2 > limits.milliseconds || isMedianKnown(sorted)) break;
   }
   return quantile(sorted, 0.5);
 }

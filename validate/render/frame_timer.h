@@ -29,7 +29,7 @@ struct EarlierFrames {
   std::optional<double> milliseconds = {};
 };
 
-/// After how many frames, and after which time, no more are drawn.
+/// After how many frames, and after about which time, no more are drawn.
 struct FrameLimits {
   int frames = 25;
   double milliseconds = 100;  ///< 0 to 100
@@ -39,7 +39,8 @@ struct FrameLimits {
 ///   once the median is known: the interval between two of the sorted times that holds it with 95 %
 ///     whatever the times' distribution (order statistics, by the binomial; nine times are the
 ///     fewest of which it leaves the outermost out) is no wider than 2 % of it;
-///   after about `limits.milliseconds`, at least one;
+///   after `limits.milliseconds`, or before, where another like the last would lead farther beyond
+///     them than they are now; after at least one;
 ///   after `limits.frames`.
 /// The look at every further frame costs little: by simulation, of times that scatter independently
 /// by 0.5 to 5 %, normal or with a tail, the interval at the end holds the median in 93 to 96 %.
