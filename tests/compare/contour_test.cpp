@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "compare/masks.h"
+#include "compare/drawn_mask.h"
 
 namespace gnomon::compare {
 namespace {

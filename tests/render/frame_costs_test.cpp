@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "render/method_text.h"
 #include "render/passes/texel_counter.h"
 #include "render/render_scene.h"
 #include "truth/truth_scenes.h"
@@ -13,8 +14,7 @@ namespace {
 
 using test::RenderScene;
 
-/// A method of one pass, one that draws the light's depth first, and one whose march through the
-/// camera's depth reads as many texels as that tells.
+/// A method of one pass, one that draws the light's depth first, and one that draws the camera's.
 class FrameCostsOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(FrameCostsOf, MayCountTheFrameThatDrewTheAnswers) {
@@ -59,6 +59,42 @@ TEST_P(FrameCostsOf, MayCountTheFrameThatDrewTheAnswers) {
     if (pass.passBytes(&view, drawing, tables) == 0) {
       EXPECT_EQ(given.still, 1234.5);
     }
+  });
+}
+
+/// A frame that was timed earlier left nothing in these targets.
+TEST(FrameCosts, CountTexelsByWhatThePassesLeave) {
+  const GlContext gl;
+  const RenderScene scene(surface::makePlane(16, 16, 2, 2),
+                          test::stepRelief(16, 16, 3, [](int i, int) { return i < 8; }), {8, 16},
+                          horizon::TableBits::thirtyTwo);
+  const Method method = test::methodOfText(
+      "tables = [\"height\"]\nnormal = \"own\"\n"
+      "[[pass]]\nname = \"many\"\nkind = \"texture\"\nchannels = 1\n",
+      "float passMany(Pixel pixel) { return lightDirection.z > 0.9 ? 7.0 : 3.0; }\n"
+      "bool isShadowed(Pixel pixel, LocalLight light) {\n"
+      "  float sum = 0.0;\n"
+      "  int count = int(manyAt(pixel.texel) + 0.5);\n"
+      "  for (int i = 0; i < count; ++i) sum += texelFetch(heightMap, ivec2(i, 0), 0).r;\n"
+      "  return sum < 0.0;\n}\n"
+      "vec3 shadingNormal(Pixel pixel) { return pixel.normal; }\n");
+  const relief::Wrap wrap = scene.relief.field.wrap();
+  const MethodPass pass(shaderFolder(), method, wrap, TableFilter::exact, {});
+  const TexelCounter counter(shaderFolder(), method, wrap, TableFilter::exact, {});
+  const RenderView view = atlasView(scene.surface, 8);
+  scene.withInputs(method, {}, [&](Drawing drawing, const GpuTables& tables) {
+    const auto texels = [&](std::optional<double> drawnIn) {
+      return pass.frameCosts(view, drawing, tables, {1, 100}, drawnIn, FrameClock::wall, counter)
+          .texels;
+    };
+    drawing.light = Vec3(0, 0, 1);
+    (void)pass.render(view, drawing, tables);
+    drawing.light = test::lightToward(20, 30);  // what the memory still holds is wrong now
+    const double given = texels(1234.5);
+    const double own = texels({});
+    EXPECT_GE(own, 3);
+    EXPECT_LT(own, 7 + 4);
+    EXPECT_EQ(given, own);
   });
 }
 

@@ -163,7 +163,8 @@ ContourDistances::ContourDistances(const Contour& contour, const SampleLayout& l
       far_(reachOf(mostColumnsSearched * columnScale_)),
       near_(reachOf(std::min(nearby, far_.distance))),
       halfRow_(firstHalfRow),
-      neighbours_(static_cast<std::size_t>(halfColumns(contour) + 2 * far_.columns),
+      neighbours_(static_cast<std::size_t>(halfColumns(contour)) +
+                      2 * static_cast<std::size_t>(far_.columns),
                   {-nowhere, nowhere}),
       next_(static_cast<std::size_t>(halfColumns(contour))),
       nearSides_(static_cast<std::size_t>(blockOf(halfColumns(contour)) + 1)),
@@ -226,7 +227,8 @@ ContourDistances::Reach ContourDistances::reachOf(double distance) const {
 }
 
 double ContourDistances::search(int halfColumn, const Reach& reach) const {
-  const Neighbours* here = &neighbours_[static_cast<std::size_t>(halfColumn + far_.columns)];
+  const Neighbours* here =
+      &neighbours_[static_cast<std::size_t>(halfColumn) + static_cast<std::size_t>(far_.columns)];
   double nearest = infinity;
   for (int steps = 0; steps <= reach.columns; ++steps) {
     const double along = steps * columnScale_;

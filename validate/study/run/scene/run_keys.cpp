@@ -137,7 +137,7 @@ RunKeys::RunKeys(const StudySpec& study, const render::GlContext& gl, const fs::
   const render::GlDriver driver = gl.driver();
   driver_ = drawnBy.add("renderer", driver.renderer).add("gl", driver.version).key();
   key.add("driver", driver_);
-  addSettings(key, StudyHeader(study), Enters::scene);
+  addSettings(key, static_cast<const StudyHeader&>(study), Enters::scene);
   place_ = key.add("surface", surfaceKey(study)).add("relief", reliefKey(study)).key();
 }
 
