@@ -92,11 +92,13 @@ class ContourDistances {
   Reach far_;   ///< as far as half columns are looked at one by one
   Reach near_;  ///< `nearby`, or the former where that is less
   int halfRow_;
-  std::vector<Neighbours> neighbours_;  ///< of each half column, with the far reach about them all
+  std::vector<Neighbours> neighbours_;  ///< of each half column, and of far_.columns at either end
   std::vector<std::size_t> next_;       ///< of each half column: its first side not above this row
-  std::vector<int> nearSides_;          ///< in blocks of half columns, in the half rows of near_
-  int nearBegin_, nearEnd_;             ///< which these are
-  bool hasEnvelope_ = false;            ///< of this half row
+  /// The number of sides in each block of half columns, in the half rows from nearBegin_ to
+  /// nearEnd_.
+  std::vector<int> nearSides_;
+  int nearBegin_, nearEnd_;   ///< the half rows of near_ about this one
+  bool hasEnvelope_ = false;  ///< of this half row
   std::vector<Parabola> envelope_;
   std::size_t last_ = 0;  ///< where in the envelope the last answer was
 };

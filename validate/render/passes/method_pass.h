@@ -54,7 +54,7 @@ struct FrameCosts {
   double texels = 0;
 };
 
-/// Draws a frame by calling what it is given, or times it then.
+/// Calls `draw` once, which draws a frame; it may measure how long that takes.
 using FrameDrawer = std::function<void(const std::function<void()>& draw)>;
 
 /// A method ready to render: its shaders and the passes that it declares.

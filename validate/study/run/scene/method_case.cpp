@@ -202,6 +202,11 @@ CaseAnswers drawnAnswers(RunScene& scene, MethodCase& method, std::size_t view, 
 
 }  // namespace
 
+bool answerAlike(const CaseAnswers& a, const CaseAnswers& b) {
+  return a.drawn.samples == b.drawn.samples && a.test.samples == b.test.samples &&
+         isSame(a.drawnShares, b.drawnShares) && isSame(a.testShares, b.testShares);
+}
+
 MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDemand& surface) {
   render::Method method = declarationOf(spec);
   BaseCase& base = scene.base(meshOf(spec, method));

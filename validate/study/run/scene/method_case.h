@@ -48,6 +48,9 @@ struct CaseAnswers : render::MethodAnswers {
   [[nodiscard]] bool isSoft() const { return drawnShares.size() > 0; }
 };
 
+/// Whether two methods answer alike, in one view under one light.
+bool answerAlike(const CaseAnswers& a, const CaseAnswers& b);
+
 /// Reads a method, or its masks; compiles it unless the cache has all its masks, so that a mistake
 /// in it shows before anything else is computed.
 /// @param spec     outlives the case

@@ -89,12 +89,6 @@ bool isOneMask(const CaseAnswers& answers) {
          isSame(answers.drawnShares, answers.testShares);
 }
 
-/// Whether two methods answer alike, in one view under one light.
-bool answerAlike(const CaseAnswers& a, const CaseAnswers& b) {
-  return a.drawn.samples == b.drawn.samples && a.test.samples == b.test.samples &&
-         isSame(a.drawnShares, b.drawnShares) && isSame(a.testShares, b.testShares);
-}
-
 /// Calls `work` with an answer and the truth's: as maps under a light with a disc, else as masks.
 template <typename Work>
 void withAnswer(const CaseAnswers& answers, Answer which, const truth::Truth& truth,

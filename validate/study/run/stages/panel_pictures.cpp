@@ -1,245 +1,60 @@
 #include "study/run/stages/panel_pictures.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "common/lists.h"
 #include "common/on_demand.h"
-#include "common/parallel.h"
+#include "render/passes/passes.h"
 #include "study/run/scene/cached_fields.h"
+#include "study/run/stages/shown_answer.h"
 #include "study/run/stages/worst_places.h"
-#include "truth/displaced_picture.h"
 
 namespace gnomon::study {
-namespace {
 
-/// A picture as a file and as a page embeds it.
-struct PictureBytes {
-  std::string file;
-  std::string embedded;
-};
-
-template <typename Stream, cache::SameAs<PictureBytes> T>
-void fields(Stream& stream, T& bytes) {
-  stream(bytes.file, bytes.embedded);
-}
-
-/// What tells the truth at the samples of a mesh, as files.
-struct TruthBytes {
-  std::string mask, regions, seam;
-};
-
-template <typename Stream, cache::SameAs<TruthBytes> T>
-void fields(Stream& stream, T& bytes) {
-  stream(bytes.mask, bytes.regions, bytes.seam);
-}
-
-bool isSame(const ShownAnswer& a, const ShownAnswer& b) {
-  return a.mask.samples == b.mask.samples && gnomon::isSame(a.shares, b.shares);
-}
-
-ShownAnswer shownOf(const truth::Truth& truth) {
-  return {truth.mask, truth.visibility};
-}
-
-std::string maskFile(const RunWriter& writer, const ShownAnswer& shown) {
-  return shown.isSoft() ? writer.shares(shown.shares) : writer.mask(shown.mask);
-}
-
-std::string differenceFile(const RunWriter& writer, const ShownAnswer& shown,
-                           const ShownAnswer& truth) {
-  return shown.isSoft() ? writer.difference(shown.shares, truth.shares)
-                        : writer.difference(shown.mask, truth.mask);
-}
-
-/// The colour between two of shade.frag's by a share of light, which is linear before its encoding.
-std::uint8_t between(std::uint8_t dark, std::uint8_t lit, double share) {
-  constexpr double encoding = 2.2;
-  const auto light = [](std::uint8_t value) { return std::pow(value / 255.0, encoding); };
-  const double mixed = light(dark) + share * (light(lit) - light(dark));
-  return static_cast<std::uint8_t>(std::lround(255 * std::pow(mixed, 1 / encoding)));
-}
-
-/// The grey of an answer's mask: white is lit.
-std::array<std::uint8_t, 3> maskGrey(const ShownAnswer& shown, std::size_t i) {
-  constexpr std::uint8_t none = 128;
-  if (shown.mask.samples[i] == Shade::none) return {none, none, none};
-  const float hard = shown.mask.samples[i] == Shade::lit ? 1.0F : 0.0F;
-  const float share = shown.isSoft() ? shown.shares.shares[i] : hard;
-  const auto grey = static_cast<std::uint8_t>(std::lround(255 * share));
-  return {grey, grey, grey};
-}
-
-/// Where a sample's path to the light crosses a seam: lit.
-Mask seamMask(const truth::Truth& truth) {
-  Mask mask = truth.mask;
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (mask.samples[i] == Shade::none) continue;
-    mask.samples[i] = truth.crossesSeam[i] != 0 ? Shade::lit : Shade::shadowed;
-  }
-  return mask;
-}
-
-/// How file names call the truth at a mesh's samples.
-std::string truthName(const BaseCase& base, const BaseCase& standard, std::size_t view,
-                      std::size_t light) {
-  if (&base == &standard) return "truth";
-  const truth::Truth& own = base.views[view].truths[light];
-  const truth::Truth& other = standard.views[view].truths[light];
-  const bool isSame = own.mask.samples == other.mask.samples && own.regions == other.regions &&
-                      own.crossesSeam == other.crossesSeam &&
-                      gnomon::isSame(own.visibility, other.visibility);
-  if (isSame) return "truth";
-  const char* kind = base.choice.kind == render::DrawnMesh::displaced ? "displaced" : "base";
-  return fmt::format("truth_{}-{}", kind, base.choice.base.subdivisions);
-}
-
-}  // namespace
-
-/// An answer of a panel with the keys of its pictures. Its mask is asked for only where one of them
-/// has to be made.
+/// An answer of a panel with the keys of its pictures, or the truth. Its mask is asked for only
+/// where one of them has to be made.
 struct PanelPictures::Answer {
   std::string name;  ///< of its files
   cache::ContentKey key;
   const Mesh& mesh;
-  const truth::Truth* truth;  ///< what it is held against; null for the truth itself
+  const truth::Truth& truth;  ///< at its own samples
   bool sharesPicture;         ///< whether the truth's picture shows its samples
-  std::function<ShownAnswer()> drawn;
-  std::function<ShownAnswer()> test = {};  ///< of the shadow test alone; none for the truth
+  const PanelAnswer* asked;   ///< null for the truth itself
 
+  [[nodiscard]] ShownAnswer drawn() const {
+    if (asked == nullptr) return shownOf(truth);
+    const CaseAnswers& both = asked->answers();
+    return {both.drawn, both.drawnShares};
+  }
+  /// Of the shadow test alone; the truth has none.
+  [[nodiscard]] ShownAnswer test() const {
+    const CaseAnswers& both = asked->answers();
+    return {both.test, both.testShares};
+  }
   /// Whether all pictures of two answers are the same. Both are drawn.
   [[nodiscard]] bool looksLike(const Answer& other) const {
-    return truth != nullptr && truth == other.truth && &mesh == &other.mesh &&
-           isSame(drawn(), other.drawn()) && isSame(test(), other.test());
+    return asked != nullptr && other.asked != nullptr && &truth == &other.truth &&
+           &mesh == &other.mesh && answerAlike(asked->answers(), other.asked->answers());
   }
 };
 
 /// A mesh in a panel. It is drawn only where a picture of it has to be made.
 struct PanelPictures::Mesh {
-  /// With all its samples lit, and with all of them shadowed.
-  struct Colours {
-    Rgb lit;
-    std::shared_ptr<const Rgb> dark;
-  };
-
-  OnDemand<Colours> colours;
+  OnDemand<MeshColours> colours;
   LayersRecord layers = {};  ///< both as a page embeds them, once the queue is finished
-
-  /// An answer's shading: the dark colours where it is shadowed, and between both by its shares.
-  [[nodiscard]] Rgb shading(const ShownAnswer& shown) const {
-    const Colours& both = colours.get();
-    Rgb rgb = both.lit;
-    const std::vector<Shade>& samples = shown.mask.samples;
-    if (shown.isSoft()) {
-      for (std::size_t i = 0; i < samples.size(); ++i)
-        shadeSample(shown, i, *both.dark, &rgb[3 * i]);
-      return rgb;
-    }
-    // Shadowed samples lie together.
-    for (auto first = samples.begin(); first != samples.end();) {
-      first = std::find(first, samples.end(), Shade::shadowed);
-      const auto end =
-          std::find_if(first, samples.end(), [](Shade shade) { return shade != Shade::shadowed; });
-      const auto byte = 3 * (first - samples.begin());
-      std::copy_n(both.dark->begin() + byte, 3 * (end - first), rgb.begin() + byte);
-      first = end;
-    }
-    return rgb;
-  }
-
-  /// The same of one sample.
-  [[nodiscard]] std::array<std::uint8_t, 3> shadingAt(const ShownAnswer& shown,
-                                                      std::size_t i) const {
-    const Colours& both = colours.get();
-    std::array<std::uint8_t, 3> rgb{};
-    std::copy_n(&both.lit[3 * i], 3, rgb.data());
-    shadeSample(shown, i, *both.dark, rgb.data());
-    return rgb;
-  }
-
- private:
-  /// @param rgb  of the sample lit
-  static void shadeSample(const ShownAnswer& shown, std::size_t i, const Rgb& darkColours,
-                          std::uint8_t* rgb) {
-    const std::uint8_t* dark = &darkColours[3 * i];
-    const double share = shown.isSoft() ? static_cast<double>(shown.shares.shares[i]) : 0;
-    if (share > 0) {
-      for (std::size_t k = 0; share < 1 && k < 3; ++k) rgb[k] = between(dark[k], rgb[k], share);
-    } else if (shown.mask.samples[i] == Shade::shadowed) {
-      std::copy_n(dark, 3, rgb);
-    }
-  }
 };
 
 PanelPictures::PanelPictures(RunScene& scene, RunWriter& writer)
-    : scene_(scene), writer_(writer), queue_(scene.clock), names_(caseNames(scene.study)) {}
-
-std::string PanelPictures::path(const char* folder, std::size_t view, std::size_t light,
-                                const std::string& name) const {
-  return fmt::format("{}/{}_{}_{}.png", folder, names_.views[view], names_.lights[light], name);
-}
+    : scene_(scene), writer_(writer), output_(scene, writer) {}
 
 void PanelPictures::drawDisplaced(SurfaceOnDemand& surface) {
-  for (std::size_t v = 0; v < scene_.study.views.size(); ++v) {
-    const Camera* camera = cameraOf(scene_.study.views[v]);
-    if (camera == nullptr) continue;
-    for (std::size_t l = 0; l < scene_.study.lights.size(); ++l) {
-      const cache::ContentKey key = scene_.keys.displacedPicture(v, l);
-      const auto use = [this, v, l](PictureBytes bytes) {
-        writer_.write(path("images", v, l, "displaced"), bytes.file);
-        displaced_[{v, l}] = std::move(bytes.embedded);
-      };
-      if (auto found = scene_.cache.find<PictureBytes>(key)) {
-        queue_.add({}, [use, bytes = std::move(*found)] { use(bytes); });
-        continue;
-      }
-      const auto light = lightDisplaced(v, l, *camera, surface.get());
-      const auto rgb = scene_.clock.measure("writing", [&](const Progress&) {
-        return std::make_shared<const Rgb>(writer_.displaced(camera->width, camera->height, light));
-      });
-      const auto made = std::make_shared<PictureBytes>();
-      queue_.add(
-          {[this, camera, rgb, made] {
-             made->embedded =
-                 writer_.embedded(camera->width, camera->height, *rgb, EmbeddedSize::full);
-           },
-           [this, camera, rgb, made] {
-             made->file = writer_.picture(camera->width, camera->height, *rgb);
-           }},
-          [this, key, made, use] {
-            scene_.cache.keep(key, *made);
-            use(std::move(*made));
-          },
-          rgb->size());
-    }
-  }
+  displaced_.queue(surface);
 }
 
-std::vector<float> PanelPictures::lightDisplaced(std::size_t view, std::size_t light,
-                                                 const Camera& camera,
-                                                 const TracedSurface& traced) {
-  return scene_.clock.measure("displaced picture", [&](const Progress& progress) {
-    const auto bytes = [](const truth::SeenSurface& seen) {
-      return sizeof(truth::SeenSurface::Point) * seen.points.size();
-    };
-    const auto seen = scene_.store.get<truth::SeenSurface>(
-        scene_.keys.seenSurface(view),
-        [&] {
-          return std::make_shared<const truth::SeenSurface>(
-              truth::seenSurface(traced.mesh, traced.scene, camera, progress));
-        },
-        bytes);
-    return truth::displacedPicture(*seen, traced.scene, scene_.study.lights[light].direction(),
-                                   progress);
-  });
-}
-
-PanelPictures::Rgb PanelPictures::shade(std::size_t view, std::size_t light, const BaseCase& base,
-                                        Shade everywhere) {
+RgbPixels PanelPictures::shade(std::size_t view, std::size_t light, const BaseCase& base,
+                               Shade everywhere) {
   return scene_.clock.measure("pictures", [&](const Progress&) {
     const render::DrawnMesh kind = base.choice.kind;
     const auto pass = scene_.store.get<render::ShadePass>(
@@ -257,12 +72,12 @@ PanelPictures::Rgb PanelPictures::shade(std::size_t view, std::size_t light, con
   });
 }
 
-std::shared_ptr<const PanelPictures::Rgb> PanelPictures::dark(std::size_t view, std::size_t light,
-                                                              const BaseCase& base) {
-  return scene_.store.get<Rgb>(
+std::shared_ptr<const RgbPixels> PanelPictures::dark(std::size_t view, std::size_t light,
+                                                     const BaseCase& base) {
+  return scene_.store.get<RgbPixels>(
       scene_.keys.dark(base.choice, view),
-      [&] { return std::make_shared<const Rgb>(shade(view, light, base, Shade::shadowed)); },
-      [](const Rgb& rgb) { return rgb.size(); });
+      [&] { return std::make_shared<const RgbPixels>(shade(view, light, base, Shade::shadowed)); },
+      [](const RgbPixels& rgb) { return rgb.size(); });
 }
 
 void PanelPictures::queueLayers(std::size_t view, std::size_t light, const BaseCase& base,
@@ -272,9 +87,9 @@ void PanelPictures::queueLayers(std::size_t view, std::size_t light, const BaseC
     mesh.layers = std::move(*found);
     return;
   }
-  const Mesh::Colours& colours = mesh.colours.get();
+  const MeshColours& colours = mesh.colours.get();
   const render::RenderView& seen = base.views[view].view;
-  const auto embed = [this, &seen](const Rgb& rgb) {
+  const auto embed = [this, &seen](const RgbPixels& rgb) {
     return writer_.embedded(seen.width, seen.height, rgb, EmbeddedSize::full);
   };
   std::vector<EncodingQueue::Work> encodings = {
@@ -286,7 +101,7 @@ void PanelPictures::queueLayers(std::size_t view, std::size_t light, const BaseC
   } else {
     encodings.emplace_back([embed, &mesh, &colours] { mesh.layers.dark = embed(*colours.dark); });
   }
-  queue_.add(std::move(encodings), [this, key, darkKey, &mesh] {
+  output_.queue.add(std::move(encodings), [this, key, darkKey, &mesh] {
     scene_.cache.keep(key, mesh.layers);
     scene_.store.get<std::string>(
         darkKey, [&] { return std::make_shared<const std::string>(mesh.layers.dark); },
@@ -307,7 +122,7 @@ struct PanelPictures::Picture {
 std::vector<PanelPictures::Picture> PanelPictures::picturesOf(std::size_t view, std::size_t light,
                                                               const std::string& name,
                                                               const Answer& answer) const {
-  const auto shaded = [&answer] { return answer.mesh.shading(answer.drawn()); };
+  const auto shaded = [&answer] { return shadingOf(answer.mesh.colours.get(), answer.drawn()); };
   const EmbeddedSize size =
       scene_.study.lights[light].isSoft() ? EmbeddedSize::full : EmbeddedSize::small;
   // The longest first.
@@ -317,19 +132,19 @@ std::vector<PanelPictures::Picture> PanelPictures::picturesOf(std::size_t view, 
                                       return writer_.embedded(mask.width, mask.height, shaded(),
                                                               size);
                                     }},
-                                   {"shaded", path("images", view, light, name),
+                                   {"shaded", output_.path("images", view, light, name),
                                     [&answer, this, shaded] {
                                       const Mask& mask = answer.drawn().mask;
                                       return writer_.picture(mask.width, mask.height, shaded());
                                     }},
-                                   {"mask", path("masks", view, light, name),
+                                   {"mask", output_.path("masks", view, light, name),
                                     [&answer, this] { return maskFile(writer_, answer.drawn()); }}};
-  if (answer.truth != nullptr) {
+  if (answer.asked != nullptr) {
     pictures.push_back(
-        {"difference", path("images", view, light, name + "_difference"), [&answer, this] {
-           return differenceFile(writer_, answer.drawn(), shownOf(*answer.truth));
+        {"difference", output_.path("images", view, light, name + "_difference"), [&answer, this] {
+           return differenceFile(writer_, answer.drawn(), shownOf(answer.truth));
          }});
-    pictures.push_back({"test mask", path("masks/test", view, light, name),
+    pictures.push_back({"test mask", output_.path("masks/test", view, light, name),
                         [&answer, this] { return maskFile(writer_, answer.test()); }});
   }
   return pictures;
@@ -368,7 +183,7 @@ std::vector<std::vector<PanelPictures::Picture>> PanelPictures::queueAnswers(
       }
     }
   }
-  queue_.add(std::move(encodings), [] {});
+  output_.queue.add(std::move(encodings), [] {});
   return pictures;
 }
 
@@ -393,11 +208,12 @@ std::vector<std::size_t> PanelPictures::firstToLookSo(const std::vector<Answer>&
 
 std::vector<WorstPlace> PanelPictures::placesOf(const Answer& answer, const Answer& right) const {
   const ShownAnswer own = answer.drawn();
-  const ShownAnswer truth = shownOf(*answer.truth);
+  const ShownAnswer truth = shownOf(answer.truth);
   const std::vector<float> errors =
       own.isSoft() ? sampleErrors(own.shares, truth.shares) : sampleErrors(own.mask, truth.mask);
   const auto colourOf = [&](const Answer& shown, const ShownAnswer& of) -> SampleColour {
-    if (answer.sharesPicture) return [&](std::size_t i) { return shown.mesh.shadingAt(of, i); };
+    if (answer.sharesPicture)
+      return [&](std::size_t i) { return shadingAt(shown.mesh.colours.get(), of, i); };
     return [&of](std::size_t i) { return maskGrey(of, i); };
   };
   return worstPlaces(errors, own.mask.width, own.mask.height, colourOf(answer, own),
@@ -434,65 +250,12 @@ void PanelPictures::queuePlaces(const std::vector<Answer>& shown,
     encodings.emplace_back(
         [this, &shown, &places, i = missing[k]] { places[i] = placesOf(shown[i], shown.back()); });
   }
-  queue_.add(std::move(encodings), [this, &places, missing, firsts, keyOf] {
+  output_.queue.add(std::move(encodings), [this, &places, missing, firsts, keyOf] {
     for (std::size_t k = 0; k < missing.size(); ++k) {
       if (firsts[k] != missing[k]) places[missing[k]] = places[firsts[k]];
       scene_.cache.keep(keyOf(missing[k]), places[missing[k]]);
     }
   });
-}
-
-TruthFilesRecord PanelPictures::queueTruth(std::size_t view, std::size_t light,
-                                           const BaseCase& base) {
-  const BaseCase& standard = scene_.standardBase();
-  const truth::Truth& truth = base.views[view].truths[light];
-  const bool crosses =
-      std::find(truth.crossesSeam.begin(), truth.crossesSeam.end(), 1) != truth.crossesSeam.end();
-  const std::string name = truthName(base, standard, view, light);
-  const cache::ContentKey key = cache::KeyBuilder("truth files")
-                                    .add("truth", scene_.keys.truth(base.choice, view, light))
-                                    .key();
-  TruthFilesRecord paths{path("masks", view, light, name), path("regions", view, light, name),
-                         crosses ? path("regions", view, light, name + "_seam") : "",
-                         writeWeights(view)};
-  const auto write = [this, paths, name, crosses](const TruthBytes& bytes) {
-    if (name != "truth") writer_.write(paths.mask, bytes.mask);
-    writer_.write(paths.regions, bytes.regions);
-    if (crosses) writer_.write(paths.seam, bytes.seam);
-  };
-  if (auto found = scene_.cache.find<TruthBytes>(key)) {
-    queue_.add({}, [write, bytes = std::move(*found)] { write(bytes); });
-    return paths;
-  }
-  const auto made = std::make_shared<TruthBytes>();
-  std::vector<EncodingQueue::Work> encodings = {
-      [this, made, &truth] { made->regions = writer_.regions(truth); },
-      [this, made, &truth] { made->mask = maskFile(writer_, shownOf(truth)); }};
-  if (crosses) {
-    encodings.emplace_back([this, made, &truth] { made->seam = writer_.mask(seamMask(truth)); });
-  }
-  queue_.add(std::move(encodings), [this, key, made, write] {
-    scene_.cache.keep(key, *made);
-    write(*made);
-  });
-  return paths;
-}
-
-std::string PanelPictures::writeWeights(std::size_t view) {
-  const BaseCase& standard = scene_.standardBase();
-  const ViewCase& atlas = standard.views[view];
-  if (atlas.weights.empty()) return "";
-  std::string file = fmt::format("regions/{}_weights.exr", names_.views[view]);
-  if (!viewsWithWeights_.insert(view).second) return file;
-  const cache::ContentKey key =
-      cache::KeyBuilder("weights").add("samples", scene_.keys.samples(standard.choice, view)).key();
-  const std::string bytes = scene_.cache.remember(key, [&] {
-    return scene_.clock.measure("writing", [&](const Progress&) {
-      return writer_.weights(atlas.samples.width, atlas.samples.height, atlas.weights);
-    });
-  });
-  writer_.write(file, bytes);
-  return file;
 }
 
 PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
@@ -511,8 +274,8 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
     if (found != meshes.end()) return found->second;
     Mesh& mesh =
         meshes
-            .emplace(&base, Mesh{OnDemand<Mesh::Colours>([this, view, light, &base] {
-              return Mesh::Colours{shade(view, light, base, Shade::lit), dark(view, light, base)};
+            .emplace(&base, Mesh{OnDemand<MeshColours>([this, view, light, &base] {
+              return MeshColours{shade(view, light, base, Shade::lit), dark(view, light, base)};
             })})
             .first->second;
     // Under a light with a disc no page composes shadings.
@@ -523,32 +286,27 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
   const auto truthAt = [&](const BaseCase& base) {
     const auto found = truths.find(&base);
     if (found != truths.end()) return found->second;
-    return truths.emplace(&base, queueTruth(view, light, base)).first->second;
+    return truths.emplace(&base, truths_.queue(view, light, base)).first->second;
   };
   std::vector<Answer> shown;
   for (const PanelAnswer& answer : answers) {
     const BaseCase& base = *answer.method->base;
-    shown.push_back({names_.methods[answer.place], answerKey(scene_, *answer.method, view, light),
-                     meshFor(base), &base.views[view].truths[light],
-                     truthName(base, standard, view, light) == "truth",
-                     [&asked = answer.answers] {
-                       return ShownAnswer{asked().drawn, asked().drawnShares};
-                     },
-                     [&asked = answer.answers] {
-                       return ShownAnswer{asked().test, asked().testShares};
-                     }});
+    shown.push_back({output_.names.methods[answer.place],
+                     answerKey(scene_, *answer.method, view, light), meshFor(base),
+                     base.views[view].truths[light], truths_.nameOf(base, view, light) == "truth",
+                     &answer});
   }
   shown.push_back({"truth", scene_.keys.truth(standard.choice, view, light), meshFor(standard),
-                   nullptr, true, [&] { return shownOf(standard.views[view].truths[light]); }});
+                   standard.views[view].truths[light], true, nullptr});
   std::vector<std::vector<Picture>> pictures = queueAnswers(view, light, shown);
-  queue_.add({}, [&] {
+  output_.queue.add({}, [&] {
     for (std::vector<Picture>& own : pictures) write(own);
   });
   std::vector<std::vector<WorstPlace>> worst;
   queuePlaces(shown, worst);
   for (const PanelAnswer& answer : answers) (void)truthAt(*answer.method->base);
   (void)truthAt(standard);
-  queue_.finish();
+  output_.queue.finish();
   // Two meshes that differ in nothing that one sees share theirs.
   const auto layersOf = [&](const Answer& answer) -> std::optional<std::size_t> {
     if (study.lights[light].isSoft()) return std::nullopt;
@@ -560,24 +318,24 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const std::string& label = study.methods[answers[i].place].label;
     panel.pictures.push_back(
-        {Kind::shaded, label, label, path("images", view, light, shown[i].name),
-         path("masks", view, light, shown[i].name), std::move(*pictures[i].front().bytes),
+        {Kind::shaded, label, label, output_.path("images", view, light, shown[i].name),
+         output_.path("masks", view, light, shown[i].name), std::move(*pictures[i].front().bytes),
          layersOf(shown[i]), truthAt(*answers[i].method->base),
-         path("masks/test", view, light, shown[i].name), std::move(worst[i])});
+         output_.path("masks/test", view, light, shown[i].name), std::move(worst[i])});
   }
-  if (const auto displaced = displaced_.find({view, light}); displaced != displaced_.end()) {
+  if (const std::string* displaced = displaced_.embedded(view, light)) {
     panel.pictures.push_back({Kind::displaced, "truth", "displaced mesh, ray-traced",
-                              path("images", view, light, "displaced"), "", displaced->second});
+                              output_.path("images", view, light, "displaced"), "", *displaced});
   }
-  panel.pictures.push_back({Kind::shaded, "truth", "truth", path("images", view, light, "truth"),
-                            path("masks", view, light, "truth"),
-                            std::move(*pictures.back().front().bytes), layersOf(shown.back()),
-                            truthAt(standard)});
+  panel.pictures.push_back(
+      {Kind::shaded, "truth", "truth", output_.path("images", view, light, "truth"),
+       output_.path("masks", view, light, "truth"), std::move(*pictures.back().front().bytes),
+       layersOf(shown.back()), truthAt(standard)});
   for (const PanelAnswer& answer : answers) {
     const std::string& label = study.methods[answer.place].label;
     panel.pictures.push_back(
         {Kind::difference, label, label,
-         path("images", view, light, names_.methods[answer.place] + "_difference")});
+         output_.path("images", view, light, output_.names.methods[answer.place] + "_difference")});
   }
   return panel;
 }
