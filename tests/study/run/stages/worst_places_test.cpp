@@ -12,7 +12,7 @@ namespace {
 
 using testing::Each;
 
-constexpr int width = 200, height = 100;
+constexpr int pictureWidth = 200, pictureHeight = 100;
 
 /// Embeds a picture as its bytes.
 class Bytes : public NoFiles {
@@ -25,16 +25,18 @@ class Bytes : public NoFiles {
 };
 
 Visibility filled(float share) {
-  return {width, height, std::vector<float>(std::size_t{width} * height, share)};
+  return {pictureWidth, pictureHeight,
+          std::vector<float>(std::size_t{pictureWidth} * pictureHeight, share)};
 }
 
 std::size_t placeOf(int x, int y) {
-  return static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+  return static_cast<std::size_t>(y) * pictureWidth + static_cast<std::size_t>(x);
 }
 
 /// A colour that tells the sample.
 std::array<std::uint8_t, 3> columnAndRow(std::size_t i) {
-  return {static_cast<std::uint8_t>(i % width), static_cast<std::uint8_t>(i / width), 0};
+  return {static_cast<std::uint8_t>(i % pictureWidth), static_cast<std::uint8_t>(i / pictureWidth),
+          0};
 }
 
 std::array<std::uint8_t, 3> white(std::size_t) {
@@ -43,7 +45,7 @@ std::array<std::uint8_t, 3> white(std::size_t) {
 
 std::vector<WorstPlace> placesOf(const Visibility& answer, const Visibility& truth,
                                  const SampleColour& own, const SampleColour& right) {
-  return worstPlaces(sampleErrors(answer, truth), width, height, own, right, Bytes());
+  return worstPlaces(sampleErrors(answer, truth), pictureWidth, pictureHeight, own, right, Bytes());
 }
 
 TEST(WorstPlaces, ErrorsOfMasksAreThoseOfTheirShares) {
@@ -69,8 +71,8 @@ TEST(WorstPlaces, ShowBothPicturesWhereTheErrorIs) {
   const auto places = placesOf(answer, truth, columnAndRow, white);
   ASSERT_EQ(places.size(), 1U);
   const WorstPlace& place = places[0];
-  EXPECT_EQ(place.left, width - worstPlaceSide);
-  EXPECT_EQ(place.top, height - worstPlaceSide);
+  EXPECT_EQ(place.left, pictureWidth - worstPlaceSide);
+  EXPECT_EQ(place.top, pictureHeight - worstPlaceSide);
   EXPECT_EQ(place.side, worstPlaceSide);
   EXPECT_EQ(place.error, 1.5);
   ASSERT_EQ(place.answer.size(), 3U * worstPlaceSide * worstPlaceSide);
