@@ -1,7 +1,6 @@
 // The picture of a mask or of shares of light: diffuse light by the shading normal, as much as
-// there is light, ambient light everywhere: where nothing is lit, a colour that no light changes.
-// The pictures of the base mesh are all shaded by N', so that they differ by their masks alone,
-// whatever normal a method's mask was made by.
+// there is light, ambient light everywhere. The pictures of the base mesh are all shaded by N', so
+// that they differ by their masks alone, whatever normal a method's mask was made by.
 
 uniform sampler2D litShares;  // 0 to 1
 

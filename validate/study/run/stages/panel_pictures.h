@@ -74,7 +74,8 @@ class PanelPictures {
   void queueLayers(std::size_t view, std::size_t light, const BaseCase& base, Mesh& mesh);
   /// Draws one view of a mesh under one light.
   RgbPixels shade(std::size_t view, std::size_t light, const BaseCase& base, Shade everywhere);
-  /// The same with all samples shadowed: no light changes that (shade.frag), so that it is kept.
+  /// The same with all samples shadowed, which is kept: what shade.frag leaves there is ambient
+  /// light, the same under all lights.
   /// @param light  any
   std::shared_ptr<const RgbPixels> dark(std::size_t view, std::size_t light, const BaseCase& base);
 
