@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "truth/truth_scenes.h"
@@ -46,7 +47,21 @@ struct MarkedScene {
     markGlobal(surface, relief, mesh, scene, paths, parts, samples, lights, fromPlaces, &placed);
     EXPECT_EQ(fromPlaces.front().regions, truths.front().regions);
     EXPECT_EQ(fromPlaces.front().casters, truths.front().casters);
+    std::vector<Truth> endless = traceEndless(samples, light);
+    markGlobal(surface, relief, mesh, scene, paths, parts, samples, lights, endless, &placed);
+    EXPECT_EQ(endless.front().regions, truths.front().regions);
+    endless = traceEndless(samples, light);
+    markGlobal(surface, relief, mesh, scene, paths, parts, samples, lights, endless);
+    EXPECT_EQ(endless.front().regions, truths.front().regions);
     return truths.front();
+  }
+
+ private:
+  [[nodiscard]] std::vector<Truth> traceEndless(const surface::SampleGrid& samples,
+                                                const Vec3& light) const {
+    const std::array lights = {
+        TraceSettings{light, std::numeric_limits<double>::infinity(), standardRayOffset}};
+    return traceShadows(surface, relief, mesh, scene, samples, lights);
   }
 };
 

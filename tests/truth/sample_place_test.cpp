@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "surface/texel_frame.h"
 #include "truth/truth_scenes.h"
 
@@ -47,6 +50,18 @@ TEST(SamplePlace, PointsConvergeToTheDisplacedSurface) {
     EXPECT_LT(off, before / 4);
     before = off;
   }
+}
+
+/// On a plane whose texels are 2 long along x and 3 along y.
+TEST(RayLength, IsThatOfItsTraceOverTheCosine) {
+  const Vec3 up(0, 0, 1);
+  const TexelAxes axes{Vec3(2, 0, 0), Vec3(0, 3, 0)};
+  for (const double elevation : {5.0, 45.0, 80.0}) {
+    const double cosine = std::cos(radians(elevation));
+    EXPECT_NEAR(rayLength(up, axes, test::lightToward(0, elevation), 10), 20 / cosine, 1e-9);
+    EXPECT_NEAR(rayLength(up, axes, test::lightToward(90, elevation), 10), 30 / cosine, 1e-9);
+  }
+  EXPECT_EQ(rayLength(up, axes, up, 10), std::numeric_limits<double>::infinity());
 }
 
 TEST(SamplePlace, IsUndefinedWithoutASample) {

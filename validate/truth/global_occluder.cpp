@@ -1,6 +1,7 @@
 #include "truth/global_occluder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "common/parallel.h"
@@ -16,6 +17,23 @@ PathTarget targetOf(const surface::LimitSurface& surface, const MicroMesh& mesh,
   const surface::TangentPoint point = surface.tangentPoint(below);
   return {point.position, surface::outwardNormal(point), hit.face,
           2 * glm::length(occluder - point.position)};
+}
+
+/// A sample on the mesh.
+struct Placed {
+  RayStart start;
+  TexelAxes axes;
+};
+
+Placed placedBy(SamplePlacer& placer, const surface::SurfaceSample& sample) {
+  const SamplePlace place = placer.place(sample);
+  return {rayStart(place), {place.frame.px, place.frame.py}};
+}
+
+/// Whether an occluder stands farther than D.
+bool isBeyond(const TraceSettings& settings, const Placed& from, double distance) {
+  return std::isfinite(settings.radiusTexels) &&
+         distance > rayLength(from.start.normal, from.axes, settings.light, settings.radiusTexels);
 }
 
 }  // namespace
@@ -37,20 +55,22 @@ void markGlobal(const surface::LimitSurface& surface, const relief::Relief& reli
       const auto isCast = [&](const Truth& truth) { return isCastShadow(truth.regions[i]); };
       if (std::none_of(truths.begin(), truths.end(), isCast)) continue;
       const surface::SurfaceSample& sample = samples.samples[i];
-      const RayStart start = placed != nullptr ? placed->starts[i] : rayStart(placer.place(sample));
+      const Placed from =
+          placed != nullptr ? Placed{placed->starts[i], placed->axes[i]} : placedBy(placer, sample);
       for (std::size_t l = 0; l < lights.size(); ++l) {
         if (!isCast(truths[l])) continue;
         const Vec3& light = lights[l].light;
-        const Vec3 origin = start.facet.rayOrigin(mesh.rayOffset(lights[l].rayOffset));
+        const Vec3 origin = from.start.facet.rayOrigin(mesh.rayOffset(lights[l].rayOffset));
         const auto hit = scene.nearest(origin, light);
         if (!hit) continue;  // a ray that grazes an edge
         if (!parts.empty()) {
           truths[l].casters[i] =
               static_cast<std::uint8_t>(parts[static_cast<std::size_t>(hit->face)]);
         }
+        if (isBeyond(lights[l], from, hit->distance)) truths[l].regions[i] = Region::distant;
         const Vec3 occluder = mesh.centre() + origin + hit->distance * light;
-        const bool isOnPath =
-            paths.leadTo({sample, start.normal, light}, targetOf(surface, mesh, *hit, occluder));
+        const bool isOnPath = paths.leadTo({sample, from.start.normal, light},
+                                           targetOf(surface, mesh, *hit, occluder));
         if (!isOnPath) truths[l].regions[i] = Region::global;
       }
     }

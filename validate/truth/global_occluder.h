@@ -25,10 +25,12 @@ namespace gnomon::truth {
 /// along the surface the path passes P′ at |Q - P′| tan ψ. The factor 2 is that of ψ = 63°.
 /// Limbs that are nearer to each other than this, on one body and turned to the same side, are not
 /// told apart.
+/// Samples of `cast` whose first occluder is farther than D move to `distant`: a truth that was
+/// traced without end has its regions then as one that was traced with D.
 /// Of a surface with parts it also finds the casters.
 /// @param parts   of every face; empty for a surface of one part
 /// @param truths  of these samples, one a light
-/// @param lights  that they were traced with
+/// @param lights  that they were traced with, D aside
 /// @param placed  the samples on the mesh, where they are known; null where not
 void markGlobal(const surface::LimitSurface& surface, const relief::Relief& relief,
                 const MicroMesh& mesh, const MicroScene& scene, const SurfacePaths& paths,

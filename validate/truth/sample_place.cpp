@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <atomic>
+#include <cmath>
 #include <limits>
 
 #include "common/counted_progress.h"
@@ -27,6 +28,14 @@ SamplePlace SamplePlacer::place(const surface::SurfaceSample& sample) {
 
 RayStart rayStart(const SamplePlace& place) {
   return {place.facet, place.frame.normal, place.defined};
+}
+
+double rayLength(const Vec3& normal, const TexelAxes& axes, const Vec3& light, double texels) {
+  const surface::TexelFrame frame{Vec3(0), normal, axes.px, axes.py, Vec2(0), true};
+  const surface::LocalLight local = surface::localLight(frame, light);
+  const double cosine = 1 / std::hypot(1.0, local.slope);  // |L - (L·n) n|; 0 at the zenith
+  return cosine > 0 ? texels * local.worldPerTexel / cosine
+                    : std::numeric_limits<double>::infinity();
 }
 
 std::size_t placeSamples(SamplePlacer& placer, std::span<const surface::SurfaceSample> samples,

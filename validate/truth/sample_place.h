@@ -54,6 +54,12 @@ struct TexelAxes {
   Vec3 px, py;
 };
 
+/// Length of a ray whose trace on the tangent plane is so many texels long, world units; infinite
+/// for a light at the zenith.
+/// @param normal  of the undisplaced surface, unit
+/// @param light   unit vector toward it
+double rayLength(const Vec3& normal, const TexelAxes& axes, const Vec3& light, double texels);
+
 /// The samples of a view placed on a micro-mesh, for any number of lights. 128 bytes a sample, in
 /// the order of the SampleGrid.
 struct PlacedSamples {

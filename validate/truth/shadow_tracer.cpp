@@ -101,7 +101,7 @@ class BandTracer {
         continue;
       }
       // A second, shorter ray tells occluders within D from those beyond.
-      add(near_, i, {rays.x[k], rays.y[k], rays.z[k]}, static_cast<float>(rayLengthOfRadius(i)));
+      add(near_, i, {rays.x[k], rays.y[k], rays.z[k]}, static_cast<float>(lengthOfRadius(i)));
       if (near_.rays.count == RayPacket::size) traceNear();
     }
     far_.rays.count = 0;
@@ -116,18 +116,10 @@ class BandTracer {
     near_.rays.count = 0;
   }
 
-  /// Length of the ray whose trace on the tangent plane is D texels long.
-  [[nodiscard]] double rayLengthOfRadius(std::size_t i) const {
-    const TexelAxes& axes = band_.axes[i];
-    const surface::TexelFrame frame{Vec3(0), band_.starts[i].normal, axes.px, axes.py, Vec2(0),
-                                    true};
-    const surface::LocalLight local = surface::localLight(frame, settings_.light);
-    const double cosine =
-        1 / std::hypot(1.0, local.slope);  // |L - (L·n) n|; 0 for a light at the zenith
-    return cosine > 0 ? settings_.radiusTexels * local.worldPerTexel / cosine
-                      : std::numeric_limits<double>::infinity();
+  [[nodiscard]] double lengthOfRadius(std::size_t i) const {
+    return rayLength(band_.starts[i].normal, band_.axes[i], settings_.light,
+                     settings_.radiusTexels);
   }
-
   [[nodiscard]] Shade& shade(std::size_t i) { return truth_.mask.samples[band_.first + i]; }
   [[nodiscard]] Region& region(std::size_t i) { return truth_.regions[band_.first + i]; }
 

@@ -76,6 +76,14 @@ std::vector<truth::Truth> trace(RunScene& scene, const TracedSurface& surface,
   return truths;
 }
 
+/// The same lights with no D: nobody is asked how far an occluder stands.
+std::vector<truth::TraceSettings> endless(std::vector<truth::TraceSettings> lights) {
+  for (truth::TraceSettings& light : lights) {
+    light.radiusTexels = std::numeric_limits<double>::infinity();
+  }
+  return lights;
+}
+
 void requireFrames(const surface::SampleGrid& samples, const truth::Truth& truth) {
   const auto shown =
       std::count_if(samples.samples.begin(), samples.samples.end(),
@@ -160,8 +168,9 @@ std::vector<truth::Truth> traceWithRegions(RunScene& scene, const TracedSurface&
   const auto lights = some(settingsOf(scene, truth::standardRayOffset), which);
   return scene.clock.measure("truth", [&](const Progress& progress) {
     const auto placed = placesOf(scene, surface, scene.keys.surface(), base, view, progress);
+    // The first occluders tell what is global, and then also what stands beyond D.
     std::vector<truth::Truth> truths =
-        trace(scene, surface, placed.get(), samples, lights, progress);
+        trace(scene, surface, placed.get(), samples, endless(lights), progress);
     truth::markGlobal(scene.surface, scene.study.relief, surface.mesh, surface.scene,
                       *surfacePaths(scene), scene.study.cage.limitFaceParts(), samples, lights,
                       truths, placed.get());
@@ -216,11 +225,7 @@ std::vector<UncertaintyRecord> uncertaintiesOf(RunScene& scene, SurfaceOnDemand&
   const auto measure = [&](const std::vector<std::size_t>& missing) {
     requireCoarser(half.get(), truth);
     return scene.clock.measure("uncertainty", [&](const Progress& progress) {
-      std::vector<truth::TraceSettings> lights = some(settingsOf(scene, rays.rayOffset), missing);
-      // Of the coarser truth nobody asks how far its occluders are.
-      for (truth::TraceSettings& light : lights) {
-        light.radiusTexels = std::numeric_limits<double>::infinity();
-      }
+      const auto lights = endless(some(settingsOf(scene, rays.rayOffset), missing));
       const auto placed = placesOf(scene, half.get(), halfKey, base, view, progress);
       std::vector<truth::Truth> coarse =
           trace(scene, half.get(), placed.get(), base.views[view].samples, lights, progress);
