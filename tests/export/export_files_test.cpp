@@ -95,7 +95,7 @@ TEST(RegionImage, EveryRegionHasAColourOfItsOwn) {
   truth::Truth truth;
   truth.mask = {2, 1, {Shade::shadowed, Shade::none}};
   truth.regions = {truth::Region::cast, truth::Region::none};
-  const image::Image image = report::regionImage(truth);
+  const image::Image image = image::unfolded(report::regionImage(truth));
   EXPECT_EQ(image.width, 2);
   const image::Rgb cast = report::regionColour(truth::Region::cast);
   EXPECT_EQ(std::vector(image.rgb.begin(), image.rgb.begin() + 3),

@@ -127,7 +127,7 @@ TEST(ShareDifference, OfZerosAndOnesIsTheMasks) {
       5, 1, {Shade::lit, Shade::shadowed, Shade::lit, Shade::shadowed, Shade::none}};
   const Mask truth{5, 1, {Shade::lit, Shade::lit, Shade::shadowed, Shade::shadowed, Shade::none}};
   EXPECT_EQ(shareDifferenceImage(asShares(candidate), asShares(truth)).rgb,
-            differenceImage(candidate, truth).rgb);
+            unfolded(differenceImage(candidate, truth)).rgb);
 }
 
 TEST(ShareDifference, GrowsWithTheError) {

@@ -18,25 +18,29 @@ void requireWhole(const Mask& mask) {
   }
 }
 
-Image emptyImage(const Mask& mask) {
-  return {mask.width, mask.height, std::vector<std::uint8_t>(3 * mask.size())};
-}
-
-void colour(Image& image, std::size_t pixel, const Rgb& with) {
-  std::copy(with.begin(), with.end(), &image.rgb[3 * pixel]);
-}
-
 std::uint8_t maskGrey(Shade shade) {
   if (shade == Shade::none) return MaskGreys::none;
   return shade == Shade::lit ? MaskGreys::lit : MaskGreys::shadowed;
 }
 
-Rgb differenceColour(Shade candidate, Shade truth) {
-  if (truth == Shade::none) return DifferenceColours::none;
-  if (candidate == truth) {
-    return truth == Shade::lit ? DifferenceColours::bothLit : DifferenceColours::bothShadowed;
-  }
-  return truth == Shade::lit ? DifferenceColours::falseShadow : DifferenceColours::falseLight;
+/// The colours of a difference.
+enum DifferencePlace : std::uint8_t { none, bothLit, bothShadowed, falseShadow, falseLight };
+
+DifferencePlace differencePlace(Shade candidate, Shade truth) {
+  if (truth == Shade::none) return none;
+  if (candidate == truth) return truth == Shade::lit ? bothLit : bothShadowed;
+  return truth == Shade::lit ? falseShadow : falseLight;
+}
+
+/// @throws InputError where only one of the two has a sample
+void requireSameSamples(const Mask& candidate, const Mask& truth) {
+  const auto [own, right] =
+      std::mismatch(candidate.samples.begin(), candidate.samples.end(), truth.samples.begin(),
+                    [](Shade a, Shade b) { return (a == Shade::none) == (b == Shade::none); });
+  if (own == candidate.samples.end()) return;
+  const std::ptrdiff_t place = own - candidate.samples.begin();
+  throw InputError(fmt::format("masks: column {}, row {} has a sample in only one of the two",
+                               place % truth.width, place / truth.width));
 }
 
 }  // namespace
@@ -48,23 +52,32 @@ ByteImage maskImage(const Mask& mask) {
   return image;
 }
 
-Image differenceImage(const Mask& candidate, const Mask& truth) {
+PaletteImage differenceImage(const Mask& candidate, const Mask& truth) {
   requireWhole(candidate);
   requireWhole(truth);
   if (candidate.width != truth.width || candidate.height != truth.height) {
     throw InputError(fmt::format("candidate mask: {} x {} samples, but the truth has {} x {}",
                                  candidate.width, candidate.height, truth.width, truth.height));
   }
-  Image image = emptyImage(truth);
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    if ((candidate.samples[i] == Shade::none) != (truth.samples[i] == Shade::none)) {
-      const auto width = static_cast<std::size_t>(truth.width);
-      throw InputError(fmt::format("masks: column {}, row {} has a sample in only one of the two",
-                                   i % width, i / width));
-    }
-    colour(image, i, differenceColour(candidate.samples[i], truth.samples[i]));
-  }
+  requireSameSamples(candidate, truth);
+  using Colours = DifferenceColours;
+  PaletteImage image{truth.width,
+                     truth.height,
+                     {Colours::none, Colours::bothLit, Colours::bothShadowed, Colours::falseShadow,
+                      Colours::falseLight},
+                     std::vector<std::uint8_t>(truth.size())};
+  std::transform(candidate.samples.begin(), candidate.samples.end(), truth.samples.begin(),
+                 image.values.begin(), differencePlace);
   return image;
+}
+
+Image unfolded(const PaletteImage& image) {
+  Image whole{image.width, image.height, std::vector<std::uint8_t>(3 * image.values.size())};
+  for (std::size_t i = 0; i < image.values.size(); ++i) {
+    const Rgb& colour = image.colours.at(image.values[i]);
+    std::copy(colour.begin(), colour.end(), &whole.rgb[3 * i]);
+  }
+  return whole;
 }
 
 void writePng(const std::filesystem::path& path, const Image& image) {
@@ -72,6 +85,10 @@ void writePng(const std::filesystem::path& path, const Image& image) {
 }
 
 void writePng(const std::filesystem::path& path, const ByteImage& image) {
+  writeTextAtomically(path, pngOf(image));
+}
+
+void writePng(const std::filesystem::path& path, const PaletteImage& image) {
   writeTextAtomically(path, pngOf(image));
 }
 

@@ -10,8 +10,6 @@
 
 namespace gnomon::image {
 
-using Rgb = std::array<std::uint8_t, 3>;
-
 /// The greys of a mask picture. Exact, so that a mask can be read back: see mask_picture.h.
 struct MaskGreys {
   static constexpr std::uint8_t lit = 255;
@@ -36,19 +34,24 @@ ByteImage maskImage(const Mask& mask);
 
 /// Where a candidate differs from the truth, and in which direction.
 /// @throws InputError if the sizes differ or only one of the two has a sample somewhere
-Image differenceImage(const Mask& candidate, const Mask& truth);
+PaletteImage differenceImage(const Mask& candidate, const Mask& truth);
+
+/// The same picture with its colours written out.
+Image unfolded(const PaletteImage& image);
 
 /// An image as the bytes of a PNG. Same image, same bytes. By libpng itself: a run that only writes
 /// pictures need not load OpenImageIO.
-/// @throws InternalError for an image without pixels or over 10⁶ of them a side, and for one whose
-///   values do not fill its width × height
+/// @throws InternalError for an image without pixels or over 10⁶ of them a side, for one whose
+///   values do not fill its width × height, and for a palette without colours or with over 256
 std::string pngOf(const Image& image);
 std::string pngOf(const ByteImage& image);
+std::string pngOf(const PaletteImage& image);
 std::string pngOf(const GreyImage& image);
 
 /// Writes that PNG, whole or not at all.
 /// @throws InputError when the file cannot be written, InternalError as pngOf
 void writePng(const std::filesystem::path& path, const Image& image);
 void writePng(const std::filesystem::path& path, const ByteImage& image);
+void writePng(const std::filesystem::path& path, const PaletteImage& image);
 
 }  // namespace gnomon::image

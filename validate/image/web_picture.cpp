@@ -50,7 +50,8 @@ std::string webPicture(const Image& image, int quality, int longestSide) {
   const std::unique_ptr<WebPPicture, decltype(&WebPPictureFree)> freed(&picture, WebPPictureFree);
   constexpr int littleEffort = 2;
   config.method = littleEffort;
-  picture.use_argb = 1;  // until it is encoded: shrinking keeps the colours' places
+  // What is shrunk first keeps its colours' places until it is encoded.
+  picture.use_argb = std::max(image.width, image.height) > longestSide ? 1 : 0;
   picture.width = image.width;
   picture.height = image.height;
   picture.writer = WebPMemoryWrite;

@@ -58,7 +58,7 @@ image::Image differenceOf(const Answers& candidate, const Answers& truth) {
   if (const auto* map = std::get_if<Visibility>(&candidate)) {
     return image::shareDifferenceImage(*map, std::get<Visibility>(truth));
   }
-  return image::differenceImage(std::get<Mask>(candidate), std::get<Mask>(truth));
+  return image::unfolded(image::differenceImage(std::get<Mask>(candidate), std::get<Mask>(truth)));
 }
 
 /// Why there is nothing to show of methods that lack a common mesh; empty while one is awaited.

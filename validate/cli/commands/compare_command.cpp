@@ -366,10 +366,12 @@ ExitStatus compareMasks(const CompareRequest& request) {
   const Compared found = compareTwo(comparingFor(request), request.candidate, request.truth);
   if (request.difference) {
     const compare::ComparedMasks& masks = found.masks;
-    image::writePng(*request.difference,
-                    found.comparison.isSoft
-                        ? image::shareDifferenceImage(masks.candidateShares, masks.truthShares)
-                        : image::differenceImage(masks.candidate, masks.truth));
+    if (found.comparison.isSoft) {
+      image::writePng(*request.difference,
+                      image::shareDifferenceImage(masks.candidateShares, masks.truthShares));
+    } else {
+      image::writePng(*request.difference, image::differenceImage(masks.candidate, masks.truth));
+    }
   }
   write(request, found.comparison, &report::maskComparisonJson, &report::maskComparisonTable);
   return statusOf(found.comparison.passed());

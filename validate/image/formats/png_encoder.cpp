@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -75,6 +77,7 @@ struct Rows {
   int colour;  ///< PNG_COLOR_TYPE_…
   std::size_t rowBytes;
   const std::uint8_t* bytes;
+  std::span<const Rgb> palette = {};  ///< of PNG_COLOR_TYPE_PALETTE
 };
 
 void requireWhole(int width, int height, std::size_t channelCount, std::size_t values) {
@@ -84,8 +87,15 @@ void requireWhole(int width, int height, std::size_t channelCount, std::size_t v
                       " pixels: " + std::to_string(values) + " values found");
 }
 
+std::vector<png_color> paletteOf(std::span<const Rgb> colours) {
+  std::vector<png_color> palette;
+  for (const Rgb& colour : colours) palette.push_back({colour[0], colour[1], colour[2]});
+  return palette;
+}
+
 std::string encoded(const Rows& rows) {
   Writer writer;
+  const std::vector<png_color> palette = paletteOf(rows.palette);
   // libpng comes back here where it fails. Nothing below has a destructor that would be left out.
   if (setjmp(png_jmpbuf(writer.png)) != 0) {
     throw InternalError("PNG of " + std::to_string(rows.width) + " x " +
@@ -94,6 +104,9 @@ std::string encoded(const Rows& rows) {
   png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(rows.width),
                static_cast<png_uint_32>(rows.height), rows.bits, rows.colour, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (!palette.empty()) {
+    png_set_PLTE(writer.png, writer.info, palette.data(), static_cast<int>(palette.size()));
+  }
   choosePacking(writer.png);
   png_write_info(writer.png, writer.info);
   for (std::size_t y = 0; y < static_cast<std::size_t>(rows.height); ++y) {
@@ -115,6 +128,16 @@ std::string pngOf(const ByteImage& image) {
   requireWhole(image.width, image.height, 1, image.values.size());
   return encoded({image.width, image.height, 8, PNG_COLOR_TYPE_GRAY,
                   static_cast<std::size_t>(image.width), image.values.data()});
+}
+
+std::string pngOf(const PaletteImage& image) {
+  requireWhole(image.width, image.height, 1, image.values.size());
+  if (image.colours.empty() || image.colours.size() > 256) {
+    throw InternalError("PNG: a palette of " + std::to_string(image.colours.size()) +
+                        " colours found, 1 to 256 expected");
+  }
+  return encoded({image.width, image.height, 8, PNG_COLOR_TYPE_PALETTE,
+                  static_cast<std::size_t>(image.width), image.values.data(), image.colours});
 }
 
 std::string pngOf(const GreyImage& image) {

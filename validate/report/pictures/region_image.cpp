@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "common/error.h"
@@ -29,18 +30,16 @@ image::Rgb regionColour(truth::Region region) {
   throw InternalError("a region without a colour");
 }
 
-image::Image regionImage(const truth::Truth& truth) {
-  image::Image image{truth.mask.width, truth.mask.height,
-                     std::vector<std::uint8_t>(3 * truth.regions.size())};
-  truth::Region last = truth::Region::none;
-  image::Rgb colour = regionColour(last);
-  for (std::size_t i = 0; i < truth.regions.size(); ++i) {
-    if (truth.regions[i] != last) {
-      last = truth.regions[i];
-      colour = regionColour(last);
-    }
-    std::copy(colour.begin(), colour.end(), &image.rgb[3 * i]);
+image::PaletteImage regionImage(const truth::Truth& truth) {
+  const auto number = [](truth::Region region) { return static_cast<std::uint8_t>(region); };
+  std::vector<image::Rgb> colours(truth::reportedRegions.size() + 1);
+  colours.at(number(truth::Region::none)) = regionColour(truth::Region::none);
+  for (const truth::Region region : truth::reportedRegions) {
+    colours.at(number(region)) = regionColour(region);
   }
+  image::PaletteImage image{truth.mask.width, truth.mask.height, std::move(colours),
+                            std::vector<std::uint8_t>(truth.regions.size())};
+  std::transform(truth.regions.begin(), truth.regions.end(), image.values.begin(), number);
   return image;
 }
 
