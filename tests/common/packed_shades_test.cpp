@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace gnomon {
 namespace {
 
@@ -26,6 +28,18 @@ TEST(PackedShades, ComeBackInAnyNumber) {
 TEST(PackedShades, OfFewerBytesAreFewer) {
   EXPECT_EQ(unpackedShades(std::vector<std::uint8_t>{0}, 1'000'000'000),
             (std::vector<Shade>(4, lit)));
+}
+
+TEST(Mask, IsTheSameWhereEverySampleIs) {
+  const Mask mask{3, 2, {lit, dark, none, lit, lit, dark}};
+  Mask other = mask;
+  EXPECT_TRUE(isSame(mask, other));
+  other.samples.back() = lit;
+  EXPECT_FALSE(isSame(mask, other));
+  other = mask;
+  std::swap(other.width, other.height);
+  EXPECT_FALSE(isSame(mask, other));
+  EXPECT_TRUE(isSame(Mask{}, Mask{}));
 }
 
 }  // namespace

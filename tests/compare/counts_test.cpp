@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 #include <utility>
 
 #include "common/error.h"
+#include "compare/mask_checks.h"
 #include "compare/masks.h"
 #include "support/error_messages.h"
 
@@ -211,6 +214,54 @@ TEST(CountClasses, AreTheCountsOfEachClassAlone) {
       RC_ASSERT(classes[k].samples == alone.samples);
     }
   }));
+}
+
+/// Pictures have long runs of equal samples, which are counted in words; these end anywhere.
+TEST(CountClasses, OfRunsAreThoseOneByOne) {
+  EXPECT_TRUE(rc::check([](unsigned seed) {
+    std::mt19937 random(seed);
+    const auto runs = [&](std::size_t count, unsigned values) {
+      std::vector<std::uint8_t> all;
+      while (all.size() < count) {
+        all.insert(all.end(), random() % 30, static_cast<std::uint8_t>(random() % values));
+      }
+      all.resize(count);
+      return all;
+    };
+    const std::size_t count = random() % 300;
+    const auto own = runs(count, 2);
+    const auto right = runs(count, 2);
+    const auto absent = runs(count, 4);
+    const auto classes = runs(count, 3);
+    Mask candidate{static_cast<int>(count), 1, std::vector<Shade>(count)};
+    Mask truth = candidate;
+    std::array<std::array<std::array<double, 2>, 2>, 3> expected{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool isThere = absent[i] != 0;
+      candidate.samples[i] = isThere ? static_cast<Shade>(own[i]) : Shade::none;
+      truth.samples[i] = isThere ? static_cast<Shade>(right[i]) : Shade::none;
+      if (isThere) ++expected.at(classes[i]).at(own[i]).at(right[i]);
+    }
+    const auto counts = countClasses(candidate, truth, classes, 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      RC_ASSERT(counts[k].trueNegative == expected[k][0][0]);
+      RC_ASSERT(counts[k].falseNegative == expected[k][0][1]);
+      RC_ASSERT(counts[k].falsePositive == expected[k][1][0]);
+      RC_ASSERT(counts[k].truePositive == expected[k][1][1]);
+    }
+  }));
+}
+
+TEST(AnswersAllOf, IsFalseWhereOneSampleIsLeftOut) {
+  for (const std::size_t place : {0U, 7U, 8U, 99U}) {
+    Mask truth{100, 1, std::vector<Shade>(100, Shade::lit)};
+    Mask candidate = truth;
+    candidate.samples[place] = Shade::none;
+    EXPECT_FALSE(answersAllOf(truth, candidate)) << place;
+    EXPECT_TRUE(answersAllOf(candidate, truth)) << place;
+    truth.samples[place] = Shade::none;
+    EXPECT_TRUE(answersAllOf(truth, candidate)) << place;
+  }
 }
 
 }  // namespace

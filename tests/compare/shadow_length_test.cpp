@@ -506,6 +506,12 @@ TEST(ShadowLength, OfManyCandidatesAtOnceIsThatOfEach) {
   for (std::size_t k = 0; k < masks.size(); ++k) {
     EXPECT_EQ(found[k], compareShadowLengths(masks[k], truth, field, selected)) << k;
   }
+  // As many as fit beside each other in words of each size, and one more.
+  for (const std::size_t count : {5U, 6U, 29U, 30U}) {
+    const auto some = std::span(candidates).first(count);
+    const std::vector<ShadowLengths> fewer = compareShadowLengths(some, truth, field, selected);
+    EXPECT_TRUE(std::equal(fewer.begin(), fewer.end(), found.begin())) << count;
+  }
   EXPECT_NE(found[0], found[30]);
   EXPECT_NE(found[0].runs, found[9].runs);
   EXPECT_TRUE(compareShadowLengths(std::span<const Mask* const>(), truth, field).empty());

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "render/method_text.h"
 #include "render/render_scene.h"
@@ -138,6 +140,22 @@ bool isShadowed(Pixel pixel, LocalLight light) {
 vec3 shadingNormal(Pixel pixel) { return pixel.normal; }
 )");
   EXPECT_EQ(texelsOf(scene, method), 2);
+}
+
+TEST(TexelCount, IsTheMeanOfAllPixelsThatHaveASample) {
+  EXPECT_EQ(meanOfSamples({3, -1, 5, -1, -1}), 4);
+  EXPECT_TRUE(std::isnan(meanOfSamples({-1, -1})));
+  // More than are summed at once: 0, 1, ... and each third pixel without a sample.
+  std::vector<float> texels;
+  double sum = 0;
+  double count = 0;
+  for (int i = 0; i < 200'003; ++i) {
+    const bool isSample = i % 3 != 0;
+    texels.push_back(isSample ? static_cast<float>(i) : -1.0F);
+    sum += isSample ? i : 0;
+    count += isSample ? 1 : 0;
+  }
+  EXPECT_EQ(meanOfSamples(texels), sum / count);
 }
 
 }  // namespace

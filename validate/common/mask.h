@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace gnomon {
@@ -22,5 +23,13 @@ struct Mask {
 
   [[nodiscard]] std::size_t size() const { return samples.size(); }
 };
+
+/// Whether two masks hold the same answers at the same samples. By bytes: the standard library
+/// compares a vector of an enumeration one by one.
+inline bool isSame(const Mask& a, const Mask& b) {
+  static_assert(sizeof(Shade) == 1);
+  return a.width == b.width && a.height == b.height && a.size() == b.size() &&
+         (a.size() == 0 || std::memcmp(a.samples.data(), b.samples.data(), a.size()) == 0);
+}
 
 }  // namespace gnomon

@@ -8,8 +8,9 @@
 
 namespace gnomon::compare {
 
-/// Candidates are compared with one truth at once, up to so many.
-constexpr std::size_t mostCandidatesAtOnce = 64;
+/// Candidates are compared with one truth at once, up to so many: a word of 64 bits has one for
+/// each, and some for the truth.
+constexpr std::size_t mostCandidatesAtOnce = 60;
 
 /// Sorts candidates into groups that have answers at the same of the truth's samples: what follows
 /// from the truth alone is then the same for all of a group. Those with an answer wherever the

@@ -18,6 +18,19 @@ void requireBin(std::uint8_t bin, std::size_t binCount) {
   throw InternalError(fmt::format("bin {} found, below {} expected", bin, binCount));
 }
 
+void requireBins(std::span<const std::uint8_t> bins, std::size_t binCount) {
+  // Without a branch and in bytes, so that many are looked at at once.
+  const auto most = static_cast<std::uint8_t>(std::min<std::size_t>(binCount, noBin));
+  std::uint8_t bad = 0;
+  for (const std::uint8_t bin : bins) {
+    bad = static_cast<std::uint8_t>(bad | ((bin >= most) & (bin != noBin)));
+  }
+  if (bad == 0) return;
+  for (const std::uint8_t bin : bins) {
+    if (bin != noBin) requireBin(bin, binCount);
+  }
+}
+
 template <typename Pair>
 std::vector<Counts> countEachBin(const Pair& pair, std::span<const std::uint8_t> bins,
                                  std::size_t binCount, std::span<const double> weights) {
@@ -59,9 +72,7 @@ std::vector<Counts> countBins(const Mask& candidate, const Mask& truth,
                               std::span<const std::uint8_t> bins, std::size_t binCount,
                               std::span<const double> weights) {
   if (!weights.empty()) return countEachBin(MaskPair(candidate, truth), bins, binCount, weights);
-  for (const std::uint8_t bin : bins) {
-    if (bin != noBin) requireBin(bin, binCount);
-  }
+  requireBins(bins, binCount);
   return countClasses(candidate, truth, bins, binCount);  // at most noBin, which is thus no class
 }
 

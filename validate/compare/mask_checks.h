@@ -12,6 +12,9 @@ inline bool isAnswer(Shade shade) {
   return shade == Shade::lit || shade == Shade::shadowed;
 }
 
+/// Whether a mask has an answer wherever the truth has one. Both are of one size.
+bool answersAllOf(const Mask& truth, const Mask& candidate);
+
 /// @throws InputError unless both masks hold what their widths and heights promise and are of one
 ///   size
 void requireSameView(const Mask& candidate, const Mask& truth);

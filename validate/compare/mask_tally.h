@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -18,30 +19,22 @@ class MaskTally {
   /// @param classes  one a sample; empty for class 0 everywhere. The masks are of one size.
   MaskTally(const Mask& candidate, const Mask& truth, std::span<const std::uint8_t> classes)
       : pairs_(classCount) {
-    const auto pairOf = [&](std::size_t i) {
-      return 4 * placeOf(candidate.samples[i]) + placeOf(truth.samples[i]);
+    const auto add = [&](std::size_t i, std::uint64_t samples) {
+      const std::size_t ofClass = classes.empty() ? 0 : classes[i];
+      pairs_[ofClass][4 * placeOf(candidate.samples[i]) + placeOf(truth.samples[i])] += samples;
     };
-    const auto tally = [&](const auto& classOf) {
-      // Sums take turns: neighbours mostly have the same pair, and would wait for each other.
-      constexpr std::size_t turns = 4;
-      std::array<std::vector<Pairs>, turns> sums;
-      sums.fill(std::vector<Pairs>(classCount));
-      std::size_t i = 0;
-      for (; i + turns <= truth.size(); i += turns) {
-        for (std::size_t t = 0; t < turns; ++t) ++sums[t][classOf(i + t)][pairOf(i + t)];
+    const std::size_t count = truth.size();
+    std::size_t i = 0;
+    for (; i + wordSize <= count; i += wordSize) {
+      // Neighbours are mostly alike: then a word of them is counted at once.
+      const bool isOneClass = classes.empty() || areAlike(&classes[i]);
+      if (isOneClass && areAlike(&candidate.samples[i]) && areAlike(&truth.samples[i])) {
+        add(i, wordSize);
+      } else {
+        for (std::size_t k = i; k < i + wordSize; ++k) add(k, 1);
       }
-      for (; i < truth.size(); ++i) ++sums[0][classOf(i)][pairOf(i)];
-      for (const std::vector<Pairs>& sum : sums) {
-        for (std::size_t c = 0; c < classCount; ++c) {
-          for (std::size_t p = 0; p < sum[c].size(); ++p) pairs_[c][p] += sum[c][p];
-        }
-      }
-    };
-    if (classes.empty()) {
-      tally([](std::size_t) { return std::size_t{0}; });
-    } else {
-      tally([&](std::size_t i) { return std::size_t{classes[i]}; });
     }
+    for (; i < count; ++i) add(i, 1);
   }
 
   /// Whether every sample of a class is in both masks or in neither.
@@ -73,6 +66,15 @@ class MaskTally {
   static constexpr std::size_t classCount = 256;
 
  private:
+  static constexpr std::size_t wordSize = sizeof(std::uint64_t);
+
+  /// Whether a word's bytes are the same.
+  static bool areAlike(const void* bytes) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes, wordSize);
+    return word == (word & 0xff) * 0x0101010101010101;
+  }
+
   /// 3 for what is no shade.
   static std::size_t placeOf(Shade shade) {
     return std::min<std::size_t>(static_cast<std::size_t>(shade), 3);

@@ -87,7 +87,19 @@ class Walk {
 
 /// One bit a candidate.
 using Candidates = std::uint64_t;
-static_assert(mostCandidatesAtOnce <= 64);
+
+/// What a walk asks of a sample, in one word: whether the truth shadows it, whether the truth and,
+/// in a group, all candidates alike have an answer there, whether it is selected, and which
+/// candidates shadow it.
+constexpr unsigned darkBit = 1;
+constexpr unsigned answersBit = 2;
+constexpr unsigned selectedBit = 4;
+constexpr std::size_t firstCandidateBit = 3;
+
+/// How many candidates there is room for beside those.
+template <typename Word>
+constexpr std::size_t mostCandidatesIn = 8 * sizeof(Word) - firstCandidateBit;
+static_assert(mostCandidatesAtOnce <= mostCandidatesIn<std::uint64_t>);
 
 /// Calls `act(c)` for every candidate of a set.
 template <typename Act>
@@ -105,37 +117,36 @@ struct Runs {
 
 /// Follows every run of the truth once for a group of candidates (see answer_groups.h). Candidates
 /// whose sums are the truth's own so far share that.
+/// @tparam Word  of a sample's bits: walks look at scattered samples, so that small words keep more
+///   of them near
+template <typename Word>
 class RunFinder {
  public:
+  /// @param candidates  at most mostCandidatesIn<Word>
   RunFinder(std::span<const Mask* const> candidates, const Mask& truth, const LightField& field,
             std::span<const std::uint8_t> selected)
-      : count_(candidates.size()),
-        any_(*candidates.front()),
-        truth_(truth),
-        field_(field),
-        selected_(selected),
-        dark_(truth.size()) {
-    constexpr std::size_t samplesAtOnce = 1 << 14;
-    parallelFor(0, (truth.size() + samplesAtOnce - 1) / samplesAtOnce, [&](std::size_t strip) {
-      const std::size_t first = strip * samplesAtOnce;
-      const std::size_t end = std::min(first + samplesAtOnce, truth.size());
-      std::fill(&dark_[first], &dark_[first] + (end - first), Candidates{0});
+      : count_(candidates.size()), field_(field), bits_(truth.size()) {
+    // Few of the pictures' samples are in the caches together: strip by strip.
+    forEachStrip([&](std::size_t first, std::size_t end) {
+      const auto strip = [&](std::span<const Shade> samples) {
+        return samples.subspan(first, end - first);
+      };
+      setTruth(first, strip(truth.samples), strip(candidates.front()->samples));
+      for (std::size_t i = first; i < end; ++i) {
+        const bool isIn = selected.empty() || selected[i] != 0;
+        bits_[i] = static_cast<Word>(bits_[i] | (isIn ? selectedBit : 0));
+      }
       for (std::size_t c = 0; c < count_; ++c) {
-        const Mask& mask = *candidates[c];
-        for (std::size_t i = first; i < end; ++i) {
-          dark_[i] |= Candidates{mask.samples[i] == Shade::shadowed} << c;
-        }
+        addCandidate(first, strip(candidates[c]->samples), firstCandidateBit + c);
       }
     });
   }
 
   /// In the order of the samples that they start in.
   [[nodiscard]] Runs find() const {
-    constexpr std::size_t samplesAtOnce = 1 << 14;
-    std::vector<Runs> strips((truth_.size() + samplesAtOnce - 1) / samplesAtOnce, Runs(count_));
-    parallelFor(0, strips.size(), [&](std::size_t strip) {
-      const std::size_t first = strip * samplesAtOnce;
-      findFrom(first, std::min(first + samplesAtOnce, truth_.size()), strips[strip]);
+    std::vector<Runs> strips(stripCount(), Runs(count_));
+    forEachStrip([&](std::size_t first, std::size_t end) {
+      findFrom(first, end, strips[first / samplesAtOnce]);
     });
     Runs runs(count_);
     const auto append = [](std::vector<double>& all, const std::vector<double>& some) {
@@ -150,7 +161,20 @@ class RunFinder {
 
  private:
   /// A length of each candidate.
-  using Lengths = std::array<double, mostCandidatesAtOnce>;
+  using Lengths = std::array<double, mostCandidatesIn<Word>>;
+
+  static constexpr std::size_t samplesAtOnce = 1 << 14;
+  [[nodiscard]] std::size_t stripCount() const {
+    return (bits_.size() + samplesAtOnce - 1) / samplesAtOnce;
+  }
+  /// Calls `work(first, end)` for all samples, some at a time.
+  template <typename Work>
+  void forEachStrip(const Work& work) const {
+    parallelFor(0, stripCount(), [&](std::size_t strip) {
+      const std::size_t first = strip * samplesAtOnce;
+      work(first, std::min(first + samplesAtOnce, bits_.size()));
+    });
+  }
 
   /// A point of the view: a sample and the place in it, columns and rows.
   struct Start {
@@ -158,10 +182,26 @@ class RunFinder {
     Vec2 position;
   };
 
+  void setTruth(std::size_t first, std::span<const Shade> truth, std::span<const Shade> any) {
+    std::transform(truth.begin(), truth.end(), any.begin(), &bits_[first],
+                   [](Shade right, Shade own) {
+                     const bool both = isAnswer(right) & isAnswer(own);
+                     return static_cast<Word>((right == Shade::shadowed ? darkBit : 0) |
+                                              (both ? answersBit : 0));
+                   });
+  }
+  void addCandidate(std::size_t first, std::span<const Shade> samples, std::size_t bit) {
+    std::transform(samples.begin(), samples.end(), &bits_[first], &bits_[first],
+                   [bit](Shade own, Word bits) {
+                     const auto dark = static_cast<Word>(own == Shade::shadowed);
+                     return static_cast<Word>(bits | static_cast<Word>(dark << bit));
+                   });
+  }
+
   /// That start in some of the samples.
   void findFrom(std::size_t first, std::size_t end, Runs& runs) const {
     for (std::size_t i = first; i < end; ++i) {
-      if (!isDark(i) || !hasAnswers(i) || !Walk::hasDirection(field_, i)) continue;
+      if (!isDark(i) || !has(i, answersBit) || !Walk::hasDirection(field_, i)) continue;
       const Vec2 centre = centreOf(i);
       if (!isBesideLit(i, centre)) continue;
       for (int k = 0; k < linesPerRun; ++k) {
@@ -211,20 +251,20 @@ class RunFinder {
     Lengths lengths{};
     double length = 0;
     std::size_t samples = 0;
-    bool isSelected = false;
+    bool isAnySelected = false;
     Candidates whole = all();  // dark in every sample so far: as long as the truth
     Candidates darkAtEnd = 0;
     do {
-      darkAtEnd = dark_[walk.index()];
+      darkAtEnd = candidatesAt(walk.index());
       forEach(whole & ~darkAtEnd, [&](std::size_t c) { lengths[c] = length; });
       whole &= darkAtEnd;
-      isSelected = isSelected || selected_.empty() || selected_[walk.index()] != 0;
+      isAnySelected = isAnySelected || has(walk.index(), selectedBit);
       length += walk.length();
       forEach(darkAtEnd & ~whole, [&](std::size_t c) { lengths[c] += walk.length(); });
       ++samples;
       if (!goOn(walk)) return;
     } while (isDark(walk.index()));
-    if (samples < leastRunSamples || !isSelected || !(length > 0)) return;
+    if (samples < leastRunSamples || !isAnySelected || !(length > 0)) return;
     forEach(whole, [&](std::size_t c) { lengths[c] = length; });
 
     Lengths beyond{};
@@ -242,7 +282,7 @@ class RunFinder {
   bool addBeyond(Walk& walk, Candidates connected, double room, Lengths& beyond) const {
     double seen = 0;
     while (!isDark(walk.index())) {
-      const Candidates ended = connected & ~dark_[walk.index()];
+      const Candidates ended = connected & ~candidatesAt(walk.index());
       forEach(ended, [&](std::size_t c) { beyond[c] = seen; });
       connected &= ~ended;
       seen += walk.length();
@@ -257,11 +297,11 @@ class RunFinder {
 
   /// What they add before its start.
   void addBefore(const Start& start, Lengths& before) const {
-    Candidates connected = dark_[start.sample];
+    Candidates connected = candidatesAt(start.sample);
     double seen = 0;
     for (Walk walk = walkFrom(start, Walk::Heading::toward); connected != 0 && goOn(walk);) {
       if (isDark(walk.index())) return;
-      const Candidates ended = connected & ~dark_[walk.index()];
+      const Candidates ended = connected & ~candidatesAt(walk.index());
       forEach(ended, [&](std::size_t c) { before[c] = seen; });
       connected &= ~ended;
       seen += walk.length();
@@ -272,20 +312,30 @@ class RunFinder {
   [[nodiscard]] Candidates all() const {
     return ~Candidates{0} >> (8 * sizeof(Candidates) - count_);
   }
-  [[nodiscard]] bool goOn(Walk& walk) const { return walk.advance() && hasAnswers(walk.index()); }
-  /// Of the truth and, in a group, of all candidates alike.
-  [[nodiscard]] bool hasAnswers(std::size_t i) const {
-    return isAnswer(any_.samples[i]) && isAnswer(truth_.samples[i]);
+  [[nodiscard]] bool goOn(Walk& walk) const {
+    return walk.advance() && has(walk.index(), answersBit);
   }
-  [[nodiscard]] bool isDark(std::size_t i) const { return truth_.samples[i] == Shade::shadowed; }
+  [[nodiscard]] bool has(std::size_t i, unsigned bit) const { return (bits_[i] & bit) != 0; }
+  [[nodiscard]] bool isDark(std::size_t i) const { return has(i, darkBit); }
+  [[nodiscard]] Candidates candidatesAt(std::size_t i) const {
+    return Candidates{bits_[i]} >> firstCandidateBit;
+  }
 
   std::size_t count_;
-  const Mask& any_;
-  const Mask& truth_;
   const LightField& field_;
-  std::span<const std::uint8_t> selected_;
-  RawVector<Candidates> dark_;  ///< which candidates shadow each sample
+  RawVector<Word> bits_;  ///< of each sample
 };
+
+Runs runsOf(std::span<const Mask* const> candidates, const Mask& truth, const LightField& field,
+            std::span<const std::uint8_t> selected) {
+  if (candidates.size() <= mostCandidatesIn<std::uint8_t>) {
+    return RunFinder<std::uint8_t>(candidates, truth, field, selected).find();
+  }
+  if (candidates.size() <= mostCandidatesIn<std::uint32_t>) {
+    return RunFinder<std::uint32_t>(candidates, truth, field, selected).find();
+  }
+  return RunFinder<std::uint64_t>(candidates, truth, field, selected).find();
+}
 
 void requireField(const LightField& field, const Mask& truth) {
   if (field.width != truth.width || field.height != truth.height ||
@@ -312,7 +362,7 @@ std::vector<ShadowLengths> compareShadowLengths(std::span<const Mask* const> can
   requireField(field, truth);
   requireOnePerSample(selected.size(), truth.size(), "selection");
   return compareInGroups(candidates, truth, [&](std::span<const Mask* const> group) {
-    Runs runs = RunFinder(group, truth, field, selected).find();
+    Runs runs = runsOf(group, truth, field, selected);
     ShadowLengths common;
     common.runs = static_cast<double>(runs.truth.size()) / linesPerRun;
     std::vector<ShadowLengths> found(group.size(), common);

@@ -2,15 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+
+#include "common/parallel.h"
 
 namespace gnomon::horizon {
 
 AngleTable horizonAngles(const HorizonTables& tables, double limit, double texelsPerHeight) {
   AngleTable result{tables, limit, std::vector<float>(tables.horizon.size())};
-  std::transform(
-      tables.horizon.begin(), tables.horizon.end(), result.angles.begin(), [&](float slope) {
-        return static_cast<float>(std::min(std::atan2(1.0, texelsPerHeight * slope), limit));
-      });
+  constexpr std::size_t anglesAtOnce = 1 << 12;
+  parallelFor(
+      0, result.angles.size(),
+      [&](std::size_t i) {
+        const double angle = std::atan2(1.0, texelsPerHeight * tables.horizon[i]);
+        result.angles[i] = static_cast<float>(std::min(angle, limit));
+      },
+      anglesAtOnce);
   return result;
 }
 

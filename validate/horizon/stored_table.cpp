@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "common/error.h"
+#include "common/parallel.h"
 
 namespace gnomon::horizon {
 namespace {
@@ -34,10 +35,14 @@ template <typename Code>
 void encode(std::span<const float> values, double low, double high, double largest,
             std::uint8_t* bytes) {
   const double scale = high > low ? largest / (high - low) : 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto code = static_cast<Code>(std::lround((values[i] - low) * scale));
-    std::memcpy(bytes + i * sizeof(Code), &code, sizeof(Code));
-  }
+  constexpr std::size_t valuesAtOnce = 1 << 14;
+  parallelFor(
+      0, values.size(),
+      [&](std::size_t i) {
+        const auto code = static_cast<Code>(std::lround((values[i] - low) * scale));
+        std::memcpy(bytes + i * sizeof(Code), &code, sizeof(Code));
+      },
+      valuesAtOnce);
 }
 
 }  // namespace

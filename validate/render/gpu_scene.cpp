@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "common/parallel.h"
 #include "common/system/memory.h"
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
@@ -159,11 +160,15 @@ gl::Texture rgbaMaps(const std::vector<float>& shares, int width, int height, in
   const int maps = (layers + 3) / 4;
   const std::size_t texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   std::vector<float> packed(4 * texels * static_cast<std::size_t>(maps), 0.0F);
-  for (std::size_t layer = 0; layer < static_cast<std::size_t>(layers); ++layer) {
-    for (std::size_t i = 0; i < texels; ++i) {
-      packed[(layer / 4 * texels + i) * 4 + layer % 4] = shares[layer * texels + i];
+  // Map by map: two layers of one write between each other.
+  parallelFor(0, static_cast<std::size_t>(maps), [&](std::size_t map) {
+    const std::size_t end = std::min<std::size_t>(4 * map + 4, static_cast<std::size_t>(layers));
+    for (std::size_t layer = 4 * map; layer < end; ++layer) {
+      for (std::size_t i = 0; i < texels; ++i) {
+        packed[(map * texels + i) * 4 + layer % 4] = shares[layer * texels + i];
+      }
     }
-  }
+  });
   const std::vector<std::uint8_t> bytes = encode(packed, bits);
   byteCount = bytes.size();
   const PixelFormat format = pixelFormat(bits);
@@ -182,15 +187,14 @@ gl::Texture basisMaps(int azimuths, horizon::TableBits bits) {
       steps.push_back(azimuth / (2 * pi) * azimuths);
     }
   }
-  std::vector<float> shares;
-  shares.reserve(steps.size() * static_cast<std::size_t>(azimuths));
-  for (int k = 0; k < azimuths; ++k) {
-    for (const double step : steps) {
-      // The shorter way round.
-      const double apart = std::abs(std::remainder(step - k, double(azimuths)));
-      shares.push_back(static_cast<float>(std::max(0.0, 1 - apart)));
-    }
-  }
+  std::vector<float> shares(steps.size() * static_cast<std::size_t>(azimuths));
+  parallelFor(0, static_cast<std::size_t>(azimuths), [&](std::size_t k) {
+    std::transform(steps.begin(), steps.end(), &shares[k * steps.size()], [&](double step) {
+      const double apart = std::abs(step - static_cast<double>(k));
+      const double shorter = std::min(apart, std::abs(azimuths - apart));  // the other way round
+      return static_cast<float>(std::max(0.0, 1 - shorter));
+    });
+  });
   std::uint64_t ignored = 0;
   return rgbaMaps(shares, side, side, azimuths, bits, ignored);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "compare/mask_checks.h"
 #include "render/passes/passes.h"
 #include "study/run/scene/cached_fields.h"
 #include "study/run/scene/method_bakes.h"
@@ -124,6 +125,7 @@ horizon::AngleTable shootAngles(RunScene& scene, const MethodCase& method) {
 void requireAnswers(const RunScene& scene, const MethodCase& method, std::size_t view,
                     std::size_t light, const Mask& answer) {
   const Mask& truth = method.base->views[view].truths[light].mask;
+  if (compare::answersAllOf(truth, answer)) return;
   std::size_t left = 0;
   std::size_t samples = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -131,7 +133,6 @@ void requireAnswers(const RunScene& scene, const MethodCase& method, std::size_t
     samples += static_cast<std::size_t>(isSample);
     left += static_cast<std::size_t>(isSample && answer.samples[i] == Shade::none);
   }
-  if (left == 0) return;
   std::size_t first = 0;
   while (truth.samples[first] == Shade::none || answer.samples[first] != Shade::none) ++first;
   if (method.isGiven()) {
@@ -203,7 +204,7 @@ CaseAnswers drawnAnswers(RunScene& scene, MethodCase& method, std::size_t view, 
 }  // namespace
 
 bool answerAlike(const CaseAnswers& a, const CaseAnswers& b) {
-  return a.drawn.samples == b.drawn.samples && a.test.samples == b.test.samples &&
+  return isSame(a.drawn, b.drawn) && isSame(a.test, b.test) &&
          isSame(a.drawnShares, b.drawnShares) && isSame(a.testShares, b.testShares);
 }
 
@@ -287,9 +288,9 @@ CaseAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std
   requireAnswers(scene, method, view, light, answers.drawn);
   const Mask& truth = method.base->views[view].truths[light].mask;
   for (Mask* mask : {&answers.drawn, &answers.test}) {
-    for (std::size_t i = 0; i < mask->size(); ++i) {
-      mask->samples[i] = truth.samples[i] == Shade::none ? Shade::none : mask->samples[i];
-    }
+    std::transform(mask->samples.begin(), mask->samples.end(), truth.samples.begin(),
+                   mask->samples.begin(),
+                   [](Shade own, Shade right) { return right == Shade::none ? Shade::none : own; });
   }
   for (Visibility* shares : {&answers.drawnShares, &answers.testShares}) {
     for (std::size_t i = 0; i < shares->size(); ++i) {

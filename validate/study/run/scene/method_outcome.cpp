@@ -85,8 +85,7 @@ std::vector<compare::Counts> countRegions(const Held<Map>& held, const ViewCase&
 
 /// Two answers of a method that do not differ are one mask.
 bool isOneMask(const CaseAnswers& answers) {
-  return answers.drawn.samples == answers.test.samples &&
-         isSame(answers.drawnShares, answers.testShares);
+  return isSame(answers.drawn, answers.test) && isSame(answers.drawnShares, answers.testShares);
 }
 
 /// Calls `work` with an answer and the truth's: as maps under a light with a disc, else as masks.

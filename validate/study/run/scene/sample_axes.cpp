@@ -16,37 +16,43 @@ double roundedToAMillionth(double value) {
   return std::round(value * 1e6) / 1e6;
 }
 
+/// World length.
+double texelLength(const surface::TexelFrame& frame) {
+  return std::sqrt(glm::length(glm::cross(frame.px, frame.py)));
+}
+
 }  // namespace
 
 AxisPlace axisPlace(const surface::LimitPoint& point, const surface::TexelFrame& frame,
                     const relief::Relief& relief) {
   const double unit = relief::worldPerHeight(relief.space, frame);
   const double height = relief.field.at(frame.texel);
-  return {surface::shapeOperator(point), frame, unit * height,
-          std::sqrt(glm::length(glm::cross(frame.px, frame.py))),
-          unit * std::max(0.0, relief.field.maximum() - height)};
+  return {surface::shapeOperator(point),
+          frame.normal,
+          unit * height,
+          texelLength(frame),
+          unit * std::max(0.0, relief.field.maximum() - height),
+          uvStretch(frame),
+          frame.defined};
 }
 
 AxisSample axisSample(const AxisPlace& place, const Vec3& light) {
-  const double sine = std::clamp(glm::dot(place.frame.normal, light), -1.0, 1.0);
-  const Vec3 tangential = light - sine * place.frame.normal;
+  const double sine = std::clamp(glm::dot(place.normal, light), -1.0, 1.0);
+  const Vec3 tangential = light - sine * place.normal;
   const double cosine = glm::length(tangential);
   const Vec3 change = surface::applyShapeOperator(place.shape, light);
-  return {place.frame,
-          std::atan2(sine, cosine),
+  return {std::atan2(sine, cosine),
           cosine > 1e-12 ? glm::dot(tangential, change) / cosine : 0,
           glm::length(change),
           place.height,
           place.texel,
-          place.headroom};
+          place.headroom,
+          place.stretch};
 }
 
 AxisSample axisSample(const surface::LimitPoint& point, const surface::TexelFrame& frame,
                       const relief::Relief& relief, const Vec3& light) {
-  const AxisPlace place = axisPlace(point, frame, relief);
-  const AxisSample sample = axisSample(place, light);
-  return {frame,         sample.elevation, sample.curvature, sample.normalChange,
-          sample.height, sample.texel,     sample.headroom};
+  return axisSample(axisPlace(point, frame, relief), light);
 }
 
 double curvatureHeight(const AxisSample& sample) {
@@ -62,19 +68,26 @@ double terminatorDistance(const AxisSample& sample) {
   return sample.elevation / sample.normalChange / sample.texel;
 }
 
-double uvStretch(const AxisSample& sample) {
-  const Vec3& px = sample.frame.px;
-  const Vec3& py = sample.frame.py;
-  const double xx = glm::dot(px, px);
-  const double yy = glm::dot(py, py);
-  const double larger = (xx + yy + std::hypot(xx - yy, 2 * glm::dot(px, py))) / 2;
-  return larger / (sample.texel * sample.texel);
+double uvStretch(const surface::TexelFrame& frame) {
+  const double xx = glm::dot(frame.px, frame.px);
+  const double yy = glm::dot(frame.py, frame.py);
+  const double larger = (xx + yy + std::hypot(xx - yy, 2 * glm::dot(frame.px, frame.py))) / 2;
+  const double texel = texelLength(frame);
+  return larger / (texel * texel);
 }
 
 double shadowReach(const AxisSample& sample) {
   if (!(sample.elevation > 0)) return std::numeric_limits<double>::quiet_NaN();
   return sample.headroom / std::tan(sample.elevation) / sample.texel;
 }
+
+namespace {
+
+double stretchOf(const AxisSample& sample) {
+  return sample.stretch;
+}
+
+}  // namespace
 
 const std::vector<SampleAxis>& sampleAxes() {
   static const std::vector<SampleAxis> axes = {
@@ -93,7 +106,7 @@ const std::vector<SampleAxis>& sampleAxes() {
        "texels",
        {-32, -8, 0, 8, 16, 32, 64, 128, 256},
        terminatorDistance},
-      {"uv_stretch", "stretch of the texture", "", {1.1, 1.25, 1.5, 2, 3, 5}, uvStretch},
+      {"uv_stretch", "stretch of the texture", "", {1.1, 1.25, 1.5, 2, 3, 5}, stretchOf},
       {"shadow_reach",
        "longest shadow that can fall there",
        "texels",
@@ -116,7 +129,7 @@ SampleBins binsOf(const surface::SampleGrid& samples, const PlaceOf& placeOf, co
       [&](std::size_t i) {
         if (!samples.samples[i].isOnSurface()) return;
         const AxisPlace& place = placeOf(i);
-        if (!place.frame.defined) return;
+        if (!place.defined) return;
         const AxisSample seen = axisSample(place, light);
         for (std::size_t a = 0; a < axes.size(); ++a) {
           bins[a][i] = compare::binOf(roundedToAMillionth(axes[a].value(seen)), axes[a].edges);

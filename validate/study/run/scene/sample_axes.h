@@ -20,29 +20,31 @@ namespace gnomon::study {
 /// What an axis may look at: one sample of the exact limit surface under one light, whose direction
 /// in the tangent plane is T.
 struct AxisSample {
-  const surface::TexelFrame& frame;  ///< defined
-  double elevation;                  ///< asin(n·L): of the light over the tangent plane, radians
+  double elevation;     ///< asin(n·L): of the light over the tangent plane, radians
   double curvature;     ///< κ(T), 1 / world length, convex positive; 0 for a light along n
   double normalChange;  ///< |S T|: how much n turns along T, radians a world length, 0 or more
   double height;        ///< a h: of the relief above the sample, world length
   double texel;         ///< |P_x × P_y|^½: world length of a texel
   double headroom = 0;  ///< from `height` up to the relief's highest, world length
+  double stretch = 1;   ///< uvStretch of its frame
 };
 
 /// What an axis needs of a sample, whatever the light.
 struct AxisPlace {
   surface::ShapeOperator shape;
-  surface::TexelFrame frame;
+  Vec3 normal;      ///< unit, outward
   double height;    ///< as AxisSample's
   double texel;     ///< likewise
   double headroom;  ///< likewise
+  double stretch;   ///< likewise
+  bool defined;     ///< whether its frame is; else nothing of it means anything
 };
 
 /// @param frame  of the same point
 AxisPlace axisPlace(const surface::LimitPoint& point, const surface::TexelFrame& frame,
                     const relief::Relief& relief);
 
-/// The sample at a place whose frame is defined. @param light  unit vector toward the light
+/// The sample at a place that is defined. @param light  unit vector toward the light
 AxisSample axisSample(const AxisPlace& place, const Vec3& light);
 
 /// @param frame  of the same point, defined
@@ -87,7 +89,7 @@ double terminatorDistance(const AxisSample& sample);
 /// How much longer a texel is in the world along its longest direction than along its shortest: the
 /// ratio of the singular values of [P_x P_y], 1 or more. With the larger eigenvalue λ of their
 /// metric it is λ / |P_x × P_y|. 1 where texels are squares, whatever their size.
-double uvStretch(const AxisSample& sample);
+double uvStretch(const surface::TexelFrame& frame);
 
 /// How far over the map, in texels, the ray toward the light runs until it is above the relief's
 /// highest point: headroom / tan(elevation) / texel, on a flat surface the length of the longest

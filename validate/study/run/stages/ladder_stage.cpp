@@ -77,7 +77,7 @@ void LadderStage::requireStarts(std::size_t state, const CaseAnswers& found,
     const auto& own = answers[static_cast<std::size_t>(method - study.methods.begin())];
     const Mask& mask = found.drawn;
     const bool isEqual =
-        own && own->drawn.samples == mask.samples && isSame(own->drawnShares, found.drawnShares);
+        own && isSame(own->drawn, mask) && isSame(own->drawnShares, found.drawnShares);
     if (!own || isEqual) continue;
     std::size_t differ = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {

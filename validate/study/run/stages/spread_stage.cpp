@@ -20,12 +20,13 @@ std::vector<double> uncertaintiesIn(const TruthRecord& truth, const ViewErrors& 
   return uncertainties;
 }
 
-/// By the samples of the study's own base.
+/// By the samples of the study's own base. The truth says which of them have a frame, and that is
+/// the same under all lights.
 compare::Tiling tilingOf(RunScene& scene, std::size_t view) {
   const BaseCase& base = scene.standardBase();
   const ViewCase& shown = base.views[view];
   cache::KeyBuilder key("tiling");
-  key.add("truth", scene.keys.truth(base.choice, view, 0));
+  key.add("samples", scene.keys.samples(base.choice, view)).add("surface", scene.keys.surface());
   key.add("blocks", compare::leastBlocks);
   return scene.cache.remember(
       key.key(), [&] { return compare::chooseTiling(shown.truths.front().mask, shown.weights); });

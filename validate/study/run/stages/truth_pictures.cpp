@@ -40,10 +40,10 @@ std::string TruthPictures::nameOf(const BaseCase& base, std::size_t view, std::s
   if (&base == &standard) return "truth";
   const truth::Truth& own = base.views[view].truths[light];
   const truth::Truth& other = standard.views[view].truths[light];
-  const bool isSame = own.mask.samples == other.mask.samples && own.regions == other.regions &&
-                      own.crossesSeam == other.crossesSeam &&
-                      gnomon::isSame(own.visibility, other.visibility);
-  if (isSame) return "truth";
+  const bool looksSame = isSame(own.mask, other.mask) && own.regions == other.regions &&
+                         own.crossesSeam == other.crossesSeam &&
+                         isSame(own.visibility, other.visibility);
+  if (looksSame) return "truth";
   const char* kind = base.choice.kind == render::DrawnMesh::displaced ? "displaced" : "base";
   return fmt::format("truth_{}-{}", kind, base.choice.base.subdivisions);
 }

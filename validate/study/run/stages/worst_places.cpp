@@ -13,6 +13,7 @@ namespace {
 std::string embeddedSquare(const compare::Window& window, int width, const SampleColour& colour,
                            const RunWriter& writer) {
   std::vector<std::uint8_t> rgb;
+  rgb.reserve(3 * static_cast<std::size_t>(window.side) * static_cast<std::size_t>(window.side));
   for (int y = window.top; y < window.top + window.side; ++y) {
     for (int x = window.left; x < window.left + window.side; ++x) {
       const auto found = colour(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
