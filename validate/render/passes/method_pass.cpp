@@ -97,7 +97,7 @@ glm::dmat4 mapFromClip(glm::dvec2 size) {
 
 MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wrap wrap,
                        TableFilter filter, const std::map<std::string, double>& values,
-                       SoftAnswer soft)
+                       SoftAnswer soft, std::shared_ptr<HeldTargets> targets)
     : name_(method.name),
       tables_(method.tables),
       bakes_(method.bakes),
@@ -108,7 +108,8 @@ MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wr
       readsLightDepth_(method.passes.lightDepth || placeOfWord(method.code, "lightDepthOf") ||
                        placeOfWord(method.code, "lightDepthMap")),
       hasLightMesh_(method.lightMesh.has_value()),
-      values_(parameterValues(method, values)) {
+      values_(parameterValues(method, values)),
+      targets_(std::move(targets)) {
   const std::vector<std::string> defines = methodDefines(method, wrap, filter);
   std::vector<std::string> softDefines = defines;
   const std::optional<std::string> added = softDefine(method, soft);
@@ -178,8 +179,10 @@ class MethodPass::Frame {
         drawing_(drawing),
         tables_(tables),
         isShare_(pass.answersInShares(drawing)),
-        answers_(view.width, view.height,
-                 isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F} : std::vector<GLenum>{GL_R8UI}) {
+        held_(pass.targets_ ? *pass.targets_ : own_),
+        answers_(held_.get(
+            view.width, view.height,
+            isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F} : std::vector<GLenum>{GL_R8UI})) {
     if (pass.seesLight()) {
       const double side = pass.depthSide();
       requireMemory(side * side * sizeof(GLfloat),
@@ -241,7 +244,7 @@ class MethodPass::Frame {
 
   /// The texels that a sample's answer reads, the mean, once its passes are drawn.
   [[nodiscard]] double texels(const TexelCounter& counter) const {
-    const Target counts(view_.width, view_.height, {GL_R32F});
+    const Target& counts = held_.get(view_.width, view_.height, {GL_R32F});
     counts.clearDepth();
     clearShares(counts, 1);
     drawAnswers(counter.program(), counts);
@@ -401,7 +404,9 @@ class MethodPass::Frame {
   std::optional<Target> cameraDepth_;
   std::optional<Target> counts_;
   bool isShare_;
-  Target answers_;
+  HeldTargets own_;  ///< of a pass that holds none
+  HeldTargets& held_;
+  const Target& answers_;
 };
 
 namespace {

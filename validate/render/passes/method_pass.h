@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "common/mask.h"
 #include "common/visibility.h"
 #include "render/frame_timer.h"
+#include "render/held_targets.h"
 #include "render/method.h"
 #include "render/passes/depth_pass.h"
 #include "render/passes/drawing.h"
@@ -61,12 +63,14 @@ using FrameDrawer = std::function<void(const std::function<void()>& draw)>;
 class MethodPass {
  public:
   /// @param values  of the method's parameters; others have the authors' values
+  /// @param targets  that its answers are drawn into, which other passes use in turn; null where
+  ///                 every frame shall have its own
   /// @throws InputError for a shader that does not compile, an unknown or out-of-range parameter,
   /// or
   ///   `SoftAnswer::disc` of a method without a horizon
   MethodPass(const std::filesystem::path& shaders, const Method& method, relief::Wrap wrap,
              TableFilter filter, const std::map<std::string, double>& values,
-             SoftAnswer soft = SoftAnswer::own);
+             SoftAnswer soft = SoftAnswer::own, std::shared_ptr<HeldTargets> targets = nullptr);
 
   /// The method's answers for every sample of the view.
   /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass, with
@@ -129,6 +133,7 @@ class MethodPass {
   bool readsLightDepth_;
   bool hasLightMesh_;
   std::map<std::string, double> values_;  ///< every parameter's
+  std::shared_ptr<HeldTargets> targets_;  ///< may be null
   gl::Program answer_;
   std::optional<gl::Program> share_;      ///< of a method that answers with a share
   std::vector<gl::Program> ownPrograms_;  ///< one a pass of `own_`

@@ -17,6 +17,11 @@
 namespace gnomon::study {
 namespace {
 
+/// What a store holds is const, what is drawn into is not.
+struct HeldTargetsPlace {
+  std::shared_ptr<render::HeldTargets> targets = std::make_shared<render::HeldTargets>();
+};
+
 render::GpuTables reliefTables(RunScene& scene, const render::Method& method,
                                const BakeSpec& bake) {
   render::GpuTables tables;
@@ -38,17 +43,37 @@ void bakeOwn(RunScene& scene, MethodCase& method) {
   ready.tables.bakes = ready.bakes.get();
 }
 
+/// What all methods and cases draw their answers into; null where it is too large to be kept.
+std::shared_ptr<render::HeldTargets> heldTargets(RunScene& scene) {
+  std::size_t samples = 0;
+  for (const ViewCase& view : scene.standardBase().views) {
+    samples = std::max(samples, view.samples.samples.size());
+  }
+  // Answers as bits and as shares, and texel counts, each with its depth.
+  const std::uint64_t bytes = (5 + 12 + 8) * samples;
+  if (!scene.store.canHold(bytes)) return nullptr;
+  return scene.store
+      .get<HeldTargetsPlace>(
+          cache::KeyBuilder("targets").key(),
+          [] { return std::make_shared<const HeldTargetsPlace>(); },
+          [bytes](const HeldTargetsPlace&) { return bytes; })
+      ->targets;
+}
+
 /// The shader of a method as this study uses it, compiled once for all cases: Pass is MethodPass or
 /// TexelCounter.
-template <typename Pass>
-std::shared_ptr<const Pass> heldPass(RunScene& scene, const MethodCase& method) {
+/// @param more  what its constructor takes beside
+template <typename Pass, typename... More>
+std::shared_ptr<const Pass> heldPass(RunScene& scene, const MethodCase& method,
+                                     const More&... more) {
   const MethodSpec& spec = *method.spec;
   return scene.store.get<Pass>(
       scene.keys.program(spec, method.method),
       [&] {
         return std::make_shared<const Pass>(
             scene.shaders, method.method, scene.study.relief.field.wrap(), spec.filter,
-            spec.parameters, spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own);
+            spec.parameters, spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own,
+            more...);
       },
       [](const Pass&) { return programBytes; });
 }
@@ -59,8 +84,9 @@ void compile(RunScene& scene, MethodCase& method) {
   if (method.method.passes.needTexturePlane() || method.method.tables.surfaceAngles) {
     render::requireTextureView(base.texture);
   }
-  method.compiled.emplace(CompiledMethod{heldPass<render::MethodPass>(scene, method),
-                                         reliefTables(scene, method.method, method.spec->bake)});
+  method.compiled.emplace(
+      CompiledMethod{heldPass<render::MethodPass>(scene, method, heldTargets(scene)),
+                     reliefTables(scene, method.method, method.spec->bake)});
   if (!method.method.tables.surfaceAngles) bakeOwn(scene, method);
 }
 
