@@ -97,7 +97,7 @@ std::size_t RawRays::trace() const {
     for (std::size_t k = piece * grain; k < std::min(packets_.size(), (piece + 1) * grain); ++k) {
       RTCRay16 rays = packets_[k].rays;  // the answer overwrites them
       truth::embree::occluded16(packets_[k].valid.data(), scene_.get(), rays,
-                                truth::embree::Rays::coherent);
+                                truth::embree::Rays::incoherent);
       for (std::size_t lane = 0; lane < 16; ++lane) own += rays.tfar[lane] < 0 ? 1 : 0;
     }
     blocked += own;
