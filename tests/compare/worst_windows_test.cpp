@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <random>
+#include <span>
+#include <vector>
 
 namespace gnomon::compare {
 namespace {
@@ -25,7 +27,8 @@ TEST(WorstWindows, FindsWhatCountingEverySquareFinds) {
   std::vector<float> wrong(static_cast<std::size_t>(width * height));
   // Wrong, right, and by parts, which sums hold exactly.
   for (float& pixel : wrong) pixel = static_cast<float>(random() % 5) / 4;
-  const std::vector<Window> found = worstWindows(wrong, width, height, side, 3);
+  const std::vector<Window> found =
+      worstWindows(std::span<const float>(wrong), width, height, side, 3);
   ASSERT_EQ(found.size(), 3U);
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_EQ(found[i].error, wrongIn(wrong, width, found[i]));
@@ -44,16 +47,35 @@ TEST(WorstWindows, FindsWhatCountingEverySquareFinds) {
 }
 
 TEST(WorstWindows, NoneWithoutErrorsAndNoneBeyondThePicture) {
-  EXPECT_TRUE(worstWindows(std::vector<float>(12, 0), 4, 3, 64, 3).empty());
-  EXPECT_TRUE(worstWindows({}, 0, 0, 64, 3).empty());
+  EXPECT_TRUE(worstWindows(std::span<const float>(std::vector<float>(12, 0)), 4, 3, 64, 3).empty());
+  EXPECT_TRUE(worstWindows(std::span<const float>(), 0, 0, 64, 3).empty());
   std::vector<float> wrong(12, 0);
   wrong[11] = 1;  // the last column of the last row
-  const std::vector<Window> found = worstWindows(wrong, 4, 3, 64, 3);
+  const std::vector<Window> found = worstWindows(std::span<const float>(wrong), 4, 3, 64, 3);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].left, 1);
   EXPECT_EQ(found[0].top, 0);
   EXPECT_EQ(found[0].side, 3);
   EXPECT_EQ(found[0].error, 1);
+}
+
+TEST(WorstWindows, OfMarksAreThoseOfOnesAndZeros) {
+  std::mt19937 random(3);
+  std::vector<float> errors(50 * 40);
+  std::vector<std::uint8_t> marks(errors.size());
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    marks[i] = random() % 9 == 0 ? 1 : 0;
+    errors[i] = marks[i];
+  }
+  const auto found = worstWindows(std::span<const std::uint8_t>(marks), 50, 40, 7, 4);
+  const auto expected = worstWindows(std::span<const float>(errors), 50, 40, 7, 4);
+  ASSERT_EQ(found.size(), 4U);
+  ASSERT_EQ(expected.size(), found.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i].left, expected[i].left);
+    EXPECT_EQ(found[i].top, expected[i].top);
+    EXPECT_EQ(found[i].error, expected[i].error);
+  }
 }
 
 }  // namespace

@@ -141,16 +141,11 @@ Contour contourOf(const Mask& mask, const Mask& other, const SampleLayout& layou
   const Sides sides(mask, other, layout);
   Contour contour;
   contour.rowStarts.push_back(0);
-  std::size_t count = 0;
-  for (std::size_t row = 0; row < sides.halfRows(); ++row) {
-    sides.visit(row, [&](int) { ++count; });
-    contour.rowStarts.push_back(count);
-  }
-  requireSides(count);
-  contour.columns.reserve(count);
   for (std::size_t row = 0; row < sides.halfRows(); ++row) {
     sides.visit(row, [&](int column) { contour.columns.push_back(column); });
+    contour.rowStarts.push_back(contour.columns.size());
   }
+  requireSides(contour.columns.size());
   orderByColumn(contour, static_cast<std::size_t>(mask.width));
   return contour;
 }

@@ -331,8 +331,8 @@ Runs runsOf(std::span<const Mask* const> candidates, const Mask& truth, const Li
   if (candidates.size() <= mostCandidatesIn<std::uint8_t>) {
     return RunFinder<std::uint8_t>(candidates, truth, field, selected).find();
   }
-  if (candidates.size() <= mostCandidatesIn<std::uint32_t>) {
-    return RunFinder<std::uint32_t>(candidates, truth, field, selected).find();
+  if (candidates.size() <= mostCandidatesIn<std::uint16_t>) {
+    return RunFinder<std::uint16_t>(candidates, truth, field, selected).find();
   }
   return RunFinder<std::uint64_t>(candidates, truth, field, selected).find();
 }

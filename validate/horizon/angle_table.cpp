@@ -9,7 +9,8 @@
 namespace gnomon::horizon {
 
 AngleTable horizonAngles(const HorizonTables& tables, double limit, double texelsPerHeight) {
-  AngleTable result{tables, limit, std::vector<float>(tables.horizon.size())};
+  AngleTable result{static_cast<const TableShape&>(tables), limit,
+                    std::vector<float>(tables.horizon.size())};
   constexpr std::size_t anglesAtOnce = 1 << 12;
   parallelFor(
       0, result.angles.size(),

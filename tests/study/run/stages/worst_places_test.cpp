@@ -45,7 +45,7 @@ std::array<std::uint8_t, 3> white(std::size_t) {
 
 std::vector<WorstPlace> placesOf(const Visibility& answer, const Visibility& truth,
                                  const SampleColour& own, const SampleColour& right) {
-  return worstPlaces(sampleErrors(answer, truth), pictureWidth, pictureHeight, own, right, Bytes());
+  return worstPlaces(worstSquares(answer, truth), pictureWidth, own, right, Bytes());
 }
 
 TEST(WorstPlaces, ErrorsOfMasksAreThoseOfTheirShares) {
@@ -59,8 +59,9 @@ TEST(WorstPlaces, ErrorsOfMasksAreThoseOfTheirShares) {
       truth.samples.push_back(theirs);
     }
   }
-  EXPECT_EQ(sampleErrors(answer, truth), sampleErrors(asShares(answer), asShares(truth)));
-  EXPECT_EQ(sampleErrors(answer, truth), (std::vector<float>{0, 1, 0, 1, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(sampleErrors(asShares(answer), asShares(truth)),
+            (std::vector<float>{0, 1, 0, 1, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(sampleErrors(answer, truth), (std::vector<std::uint8_t>{0, 1, 0, 1, 0, 0, 0, 0, 0}));
 }
 
 TEST(WorstPlaces, ShowBothPicturesWhereTheErrorIs) {

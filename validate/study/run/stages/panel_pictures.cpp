@@ -209,15 +209,15 @@ std::vector<std::size_t> PanelPictures::firstToLookSo(const std::vector<Answer>&
 std::vector<WorstPlace> PanelPictures::placesOf(const Answer& answer, const Answer& right) const {
   const ShownAnswer own = answer.drawn();
   const ShownAnswer truth = shownOf(answer.truth);
-  const std::vector<float> errors =
-      own.isSoft() ? sampleErrors(own.shares, truth.shares) : sampleErrors(own.mask, truth.mask);
+  const std::vector<compare::Window> squares =
+      own.isSoft() ? worstSquares(own.shares, truth.shares) : worstSquares(own.mask, truth.mask);
   const auto colourOf = [&](const Answer& shown, const ShownAnswer& of) -> SampleColour {
     if (answer.sharesPicture)
       return [&](std::size_t i) { return shadingAt(shown.mesh.colours.get(), of, i); };
     return [&of](std::size_t i) { return maskGrey(of, i); };
   };
-  return worstPlaces(errors, own.mask.width, own.mask.height, colourOf(answer, own),
-                     colourOf(right, truth), writer_);
+  return worstPlaces(squares, own.mask.width, colourOf(answer, own), colourOf(right, truth),
+                     writer_);
 }
 
 void PanelPictures::queuePlaces(const std::vector<Answer>& shown,

@@ -1,10 +1,9 @@
 #include "study/run/stages/worst_places.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
-
-#include "compare/worst_windows.h"
 
 namespace gnomon::study {
 namespace {
@@ -26,14 +25,13 @@ std::string embeddedSquare(const compare::Window& window, int width, const Sampl
 
 }  // namespace
 
-std::vector<float> sampleErrors(const Mask& answer, const Mask& truth) {
-  std::vector<float> errors(answer.size());
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const Shade ours = answer.samples[i];
-    const Shade theirs = truth.samples.at(i);
-    const bool isWrong = ours != theirs && ours != Shade::none && theirs != Shade::none;
-    errors[i] = isWrong ? 1 : 0;
-  }
+std::vector<std::uint8_t> sampleErrors(const Mask& answer, const Mask& truth) {
+  std::vector<std::uint8_t> errors(answer.size());
+  std::transform(answer.samples.begin(), answer.samples.end(), truth.samples.begin(),
+                 errors.begin(), [](Shade ours, Shade theirs) {
+                   const bool bothThere = (ours != Shade::none) & (theirs != Shade::none);
+                   return static_cast<std::uint8_t>((ours != theirs) & bothThere);
+                 });
   return errors;
 }
 
@@ -46,12 +44,11 @@ std::vector<float> sampleErrors(const Visibility& answer, const Visibility& trut
   return errors;
 }
 
-std::vector<WorstPlace> worstPlaces(const std::vector<float>& errors, int width, int height,
+std::vector<WorstPlace> worstPlaces(std::span<const compare::Window> squares, int width,
                                     const SampleColour& own, const SampleColour& right,
                                     const RunWriter& writer) {
   std::vector<WorstPlace> places;
-  for (const compare::Window& window :
-       compare::worstWindows(errors, width, height, worstPlaceSide, mostWorstPlaces)) {
+  for (const compare::Window& window : squares) {
     places.push_back({window.left, window.top, window.side, window.error,
                       embeddedSquare(window, width, own, writer),
                       embeddedSquare(window, width, right, writer)});

@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "common/mask.h"
 #include "common/visibility.h"
+#include "compare/worst_windows.h"
 #include "study/record/record.h"
 #include "study/run/stages/run_writer.h"
 
@@ -21,14 +23,22 @@ constexpr std::size_t mostWorstPlaces = 3;
 using SampleColour = std::function<std::array<std::uint8_t, 3>(std::size_t)>;
 
 /// How far an answer is off the truth at each sample: 0 or 1, and 0 where there is no sample.
-std::vector<float> sampleErrors(const Mask& answer, const Mask& truth);
+std::vector<std::uint8_t> sampleErrors(const Mask& answer, const Mask& truth);
 /// The same under a light with a disc: |ΔV|.
 std::vector<float> sampleErrors(const Visibility& answer, const Visibility& truth);
 
 /// The squares where an answer errs most, none that overlap: see compare::worstWindows.
-/// @param errors      one a sample of a view that is so wide and high
+template <typename Map>
+std::vector<compare::Window> worstSquares(const Map& answer, const Map& truth) {
+  const auto errors = sampleErrors(answer, truth);
+  return compare::worstWindows(std::span(errors), answer.width, answer.height, worstPlaceSide,
+                               mostWorstPlaces);
+}
+
+/// The same squares as a page shows them.
+/// @param width       of the view
 /// @param own, right  what pictures of the answer and of the truth show there
-std::vector<WorstPlace> worstPlaces(const std::vector<float>& errors, int width, int height,
+std::vector<WorstPlace> worstPlaces(std::span<const compare::Window> squares, int width,
                                     const SampleColour& own, const SampleColour& right,
                                     const RunWriter& writer);
 
