@@ -159,8 +159,8 @@ std::bitset<RayPacket::size> MicroScene::occluded(const RayPacket& rays,
     packet.tfar[k] = rays.lengths[k];
     setCommon(packet, k);
   }
-  // Though they share a direction: rays that leave a rough surface part at once, and take 5 to 20 %
-  // less where each is led on its own.
+  // Though they share a direction: rays that leave a rough surface part at once, and take 5 to
+  // 35 % less where each is led on its own, the more the finer the mesh.
   embree::occluded16(valid.data(), scene_.get(), packet, embree::Rays::incoherent);
   return blockedOf(packet, rays.count);
 }
