@@ -16,13 +16,7 @@ namespace {
 using test::lightToward;
 using test::methodOfText;
 using test::RenderScene;
-
-RenderScene stepScene() {
-  return {surface::makePlane(16, 16, 2, 2),
-          test::stepRelief(16, 16, 3, [](int i, int) { return i < 8; }),
-          {8, 16},
-          horizon::TableBits::thirtyTwo};
-}
+using test::stepScene;
 
 TEST(HeldTargets, AreOneOfEachKindAndOfTheLastSize) {
   const GlContext gl;

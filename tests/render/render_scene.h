@@ -301,4 +301,12 @@ inline double shareShadowed(const Mask& mask) {
   return static_cast<double>(dark) / static_cast<double>(all);
 }
 
+/// A plane of 16² texels with a step across it.
+inline RenderScene stepScene() {
+  return {surface::makePlane(16, 16, 2, 2),
+          stepRelief(16, 16, 3, [](int i, int) { return i < 8; }),
+          {8, 16},
+          horizon::TableBits::thirtyTwo};
+}
+
 }  // namespace gnomon::test

@@ -15,14 +15,7 @@ namespace {
 using test::lightToward;
 using test::methodOfText;
 using test::RenderScene;
-
-/// A plane of 16² texels with a step across it.
-RenderScene stepScene() {
-  return {surface::makePlane(16, 16, 2, 2),
-          test::stepRelief(16, 16, 3, [](int i, int) { return i < 8; }),
-          {8, 16},
-          horizon::TableBits::thirtyTwo};
-}
+using test::stepScene;
 
 double texelsOf(const RenderScene& scene, const Method& method, double radius = 0,
                 const std::map<std::string, double>& parameters = {},

@@ -2,7 +2,7 @@
 
 namespace gnomon::render {
 
-const Target& HeldTargets::get(int width, int height, const std::vector<GLenum>& formats) {
+const Target& HeldTargets::get(int width, int height, const std::vector<GLenum>& formats) const {
   if (width != width_ || height != height_) targets_.clear();
   width_ = width;
   height_ = height;

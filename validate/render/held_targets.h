@@ -14,12 +14,13 @@ class HeldTargets {
  public:
   /// The target of a size and of these formats. It stays valid until another size is asked for.
   /// @throws InputError as Target
-  const Target& get(int width, int height, const std::vector<GLenum>& formats);
+  const Target& get(int width, int height, const std::vector<GLenum>& formats) const;
 
  private:
-  int width_ = 0;
-  int height_ = 0;
-  std::map<std::vector<GLenum>, Target> targets_;
+  // What is there already; no result depends on it.
+  mutable int width_ = 0;
+  mutable int height_ = 0;
+  mutable std::map<std::vector<GLenum>, Target> targets_;
 };
 
 }  // namespace gnomon::render

@@ -54,8 +54,9 @@ struct TexelAxes {
   Vec3 px, py;
 };
 
-/// Length of a ray whose trace on the tangent plane is so many texels long, world units; infinite
-/// for a light at the zenith.
+/// Length of a ray whose trace on the tangent plane is so many texels long, world units:
+/// texels · w / |L - (L·n) n|, where w is the world length of a texel along the trace. Infinite for
+/// a light at the zenith.
 /// @param normal  of the undisplaced surface, unit
 /// @param light   unit vector toward it
 double rayLength(const Vec3& normal, const TexelAxes& axes, const Vec3& light, double texels);

@@ -97,7 +97,7 @@ glm::dmat4 mapFromClip(glm::dvec2 size) {
 
 MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wrap wrap,
                        TableFilter filter, const std::map<std::string, double>& values,
-                       SoftAnswer soft, std::shared_ptr<HeldTargets> targets)
+                       SoftAnswer soft, std::shared_ptr<const HeldTargets> targets)
     : name_(method.name),
       tables_(method.tables),
       bakes_(method.bakes),
@@ -405,7 +405,7 @@ class MethodPass::Frame {
   std::optional<Target> counts_;
   bool isShare_;
   HeldTargets own_;  ///< of a pass that holds none
-  HeldTargets& held_;
+  const HeldTargets& held_;
   const Target& answers_;
 };
 

@@ -70,7 +70,8 @@ class MethodPass {
   ///   `SoftAnswer::disc` of a method without a horizon
   MethodPass(const std::filesystem::path& shaders, const Method& method, relief::Wrap wrap,
              TableFilter filter, const std::map<std::string, double>& values,
-             SoftAnswer soft = SoftAnswer::own, std::shared_ptr<HeldTargets> targets = nullptr);
+             SoftAnswer soft = SoftAnswer::own,
+             std::shared_ptr<const HeldTargets> targets = nullptr);
 
   /// The method's answers for every sample of the view.
   /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass, with
@@ -132,8 +133,8 @@ class MethodPass {
   std::vector<OwnPass> own_;  ///< with the one that resolves texels first
   bool readsLightDepth_;
   bool hasLightMesh_;
-  std::map<std::string, double> values_;  ///< every parameter's
-  std::shared_ptr<HeldTargets> targets_;  ///< may be null
+  std::map<std::string, double> values_;        ///< every parameter's
+  std::shared_ptr<const HeldTargets> targets_;  ///< may be null
   gl::Program answer_;
   std::optional<gl::Program> share_;      ///< of a method that answers with a share
   std::vector<gl::Program> ownPrograms_;  ///< one a pass of `own_`

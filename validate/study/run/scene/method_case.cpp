@@ -17,11 +17,6 @@
 namespace gnomon::study {
 namespace {
 
-/// What a store holds is const, what is drawn into is not.
-struct HeldTargetsPlace {
-  std::shared_ptr<render::HeldTargets> targets = std::make_shared<render::HeldTargets>();
-};
-
 render::GpuTables reliefTables(RunScene& scene, const render::Method& method,
                                const BakeSpec& bake) {
   render::GpuTables tables;
@@ -44,7 +39,7 @@ void bakeOwn(RunScene& scene, MethodCase& method) {
 }
 
 /// What all methods and cases draw their answers into; null where it is too large to be kept.
-std::shared_ptr<render::HeldTargets> heldTargets(RunScene& scene) {
+std::shared_ptr<const render::HeldTargets> heldTargets(RunScene& scene) {
   std::size_t samples = 0;
   for (const ViewCase& view : scene.standardBase().views) {
     samples = std::max(samples, view.samples.samples.size());
@@ -52,12 +47,10 @@ std::shared_ptr<render::HeldTargets> heldTargets(RunScene& scene) {
   // Answers as bits and as shares, and texel counts, each with its depth.
   const std::uint64_t bytes = (5 + 12 + 8) * samples;
   if (!scene.store.canHold(bytes)) return nullptr;
-  return scene.store
-      .get<HeldTargetsPlace>(
-          cache::KeyBuilder("targets").key(),
-          [] { return std::make_shared<const HeldTargetsPlace>(); },
-          [bytes](const HeldTargetsPlace&) { return bytes; })
-      ->targets;
+  return scene.store.get<render::HeldTargets>(
+      cache::KeyBuilder("targets").key(),
+      [] { return std::make_shared<const render::HeldTargets>(); },
+      [bytes](const render::HeldTargets&) { return bytes; });
 }
 
 /// The shader of a method as this study uses it, compiled once for all cases: Pass is MethodPass or
