@@ -17,7 +17,6 @@ namespace {
 using test::DisplacedScene;
 using test::lightToward;
 using test::RenderScene;
-using test::shareShadowed;
 
 constexpr int bumpSide = 48;
 

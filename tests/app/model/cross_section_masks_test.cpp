@@ -22,10 +22,15 @@ using test::shareShadowed;
 
 using LitInSection = std::function<bool(const SectionHorizons&)>;
 
+SectionTables tablesOf(const RenderScene& scene) {
+  const horizon::TableShape& shape = scene.tables;
+  return {scene.horizon, scene.distance, shape};
+}
+
 /// Share of a view's samples where the section and the shader differ.
 double differingShare(const RenderScene& scene, const render::RenderView& view,
                       const std::string& method, const LitInSection& verdict) {
-  const SectionTables tables{scene.horizon, scene.distance, scene.tables};
+  const SectionTables tables = tablesOf(scene);
   const Vec3 light = lightToward(50, 30);
   const surface::SampleGrid samples = scene.samples(view);
   const Mask mask = scene.test(method, view, light);
@@ -81,7 +86,7 @@ TEST(CrossSection, SaysOfEveryPixelWhatTheShaderAnswers) {
 double meanDifference(const RenderScene& scene, const render::RenderView& view,
                       const std::string& method,
                       const std::function<double(const SectionHorizons&)>& share) {
-  const SectionTables tables{scene.horizon, scene.distance, scene.tables};
+  const SectionTables tables = tablesOf(scene);
   const Vec3 light = lightToward(50, 30);
   const double radius = radians(8.0);
   const surface::SampleGrid samples = scene.samples(view);
