@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <limits>
 
 #include "common/parallel.h"
-#include "surface/texel_frame.h"
 #include "truth/flush_denormals.h"
 
 namespace gnomon::benchmarks {
@@ -50,32 +48,17 @@ RawRays::RawRays(const truth::MicroMesh& mesh, const truth::PlacedSamples& place
   rtcCommitScene(scene_.get());
 
   constexpr std::size_t lanes = 16;
-  std::size_t first = 0;
-  std::size_t second = 0;
-  std::vector<Packet> near;
   for (const std::size_t i : tileOrder(placed.width, placed.height)) {
-    const auto& [facet, normal, defined] = placed.starts[i];
-    if (!defined || glm::dot(facet.normal, light.light) <= 0) continue;
-    const Vec3 origin = facet.rayOrigin(light.rayOffset * placed.extent);
-    add(packets_, first++ % lanes, origin, light.light, std::numeric_limits<double>::infinity());
-    if (truth.mask.samples[i] != Shade::shadowed) continue;
-    ++blocked_;
-    if (truth.regions[i] == truth::Region::beyondTerminator) continue;
-    const auto& [px, py] = placed.axes[i];
-    const surface::LocalLight local =
-        surface::localLight({Vec3(0), normal, px, py, Vec2(0), true}, light.light);
-    add(near, second++ % lanes, origin, light.light,
-        light.radiusTexels * local.worldPerTexel * std::hypot(1.0, local.slope));
-    blocked_ += truth.regions[i] == truth::Region::cast ? 1 : 0;
+    const truth::RayStart& start = placed.starts[i];
+    if (!start.defined || start.facet.facesAwayFrom(light.light)) continue;
+    add(count_++ % lanes, start.facet.rayOrigin(light.rayOffset * placed.extent), light.light);
+    blocked_ += truth.mask.samples[i] == Shade::shadowed ? 1 : 0;
   }
-  packets_.insert(packets_.end(), near.begin(), near.end());
-  count_ = first + second;
 }
 
-void RawRays::add(std::vector<Packet>& packets, std::size_t lane, const Vec3& origin,
-                  const Vec3& direction, double length) {
-  if (lane == 0) packets.emplace_back();
-  Packet& packet = packets.back();
+void RawRays::add(std::size_t lane, const Vec3& origin, const Vec3& direction) {
+  if (lane == 0) packets_.emplace_back();
+  Packet& packet = packets_.back();
   packet.valid.at(lane) = -1;
   packet.rays.org_x[lane] = static_cast<float>(origin.x);
   packet.rays.org_y[lane] = static_cast<float>(origin.y);
@@ -83,7 +66,7 @@ void RawRays::add(std::vector<Packet>& packets, std::size_t lane, const Vec3& or
   packet.rays.dir_x[lane] = static_cast<float>(direction.x);
   packet.rays.dir_y[lane] = static_cast<float>(direction.y);
   packet.rays.dir_z[lane] = static_cast<float>(direction.z);
-  packet.rays.tfar[lane] = static_cast<float>(length);
+  packet.rays.tfar[lane] = std::numeric_limits<float>::infinity();
   packet.rays.mask[lane] = ~0U;
 }
 

@@ -33,8 +33,7 @@ class RawRays {
     RTCRay16 rays{};
   };
 
-  static void add(std::vector<Packet>& packets, std::size_t lane, const Vec3& origin,
-                  const Vec3& direction, double length);
+  void add(std::size_t lane, const Vec3& origin, const Vec3& direction);
 
   truth::embree::Device device_;
   truth::embree::Scene scene_;

@@ -57,8 +57,7 @@ gnomon::truth::MicroMeshSettings perTexel(double steps) {
 TraceSettings lightAt(double azimuth, double elevation) {
   const double a = gnomon::radians(azimuth);
   const double e = gnomon::radians(elevation);
-  return {Vec3(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)), 192,
-          gnomon::truth::standardRayOffset};
+  return {Vec3(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e))};
 }
 
 /// Vertices a second where each is evaluated on its own, from some of them, one thread.
@@ -138,8 +137,7 @@ void firstRay(benchmark::State& state) {
   state.counters["peak_bytes"] = peak;
 }
 
-/// A million shadow rays, and the second ones that tell near occluders from far, against
-/// rtcOccluded16 of the same rays.
+/// A million shadow rays against rtcOccluded16 of the same rays.
 void rays(benchmark::State& state) {
   const Figure8Patch patch;
   const MicroMesh mesh(patch.surface, patch.relief, perTexel(static_cast<double>(state.range(0))));

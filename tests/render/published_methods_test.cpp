@@ -34,9 +34,8 @@ TEST_P(WallShadow, IsAsLongAsTheTangentOfTheLightSays) {
   const auto [azimuth, elevation] = GetParam();
   const GlContext gl;
   // 72 azimuths: the light's is one of them, so that nothing is interpolated between directions.
-  const RenderScene scene(surface::makePlane(96, 32, 12, 4),
-                          stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; }),
-                          {72, 60}, horizon::TableBits::thirtyTwo);
+  const RenderScene scene(test::wallPlane(), test::wallRelief(), {72, 60},
+                          horizon::TableBits::thirtyTwo);
   constexpr int side = 48;  // samples a face, 6 a texel
   const RenderView view = atlasView(scene.surface, side);
   const Vec3 light = lightToward(180 + azimuth, elevation);

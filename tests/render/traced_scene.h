@@ -18,8 +18,7 @@ struct TracedScene {
 
   [[nodiscard]] Mask mask(const surface::LimitSurface& surface, const relief::Relief& relief,
                           const surface::SampleGrid& samples, const Vec3& light) const {
-    return truth::traceShadows(surface, relief, mesh, scene, samples,
-                               {light, 1000, truth::standardRayOffset})
+    return truth::traceShadows(surface, relief, mesh, scene, samples, truth::TraceSettings{light})
         .mask;
   }
 };

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
+#include "truth/micro_surface.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon::truth {
@@ -13,17 +15,11 @@ using test::lightToward;
 using test::randomRelief;
 using test::sampleAt;
 using test::samplesOfAllFaces;
-using test::stepRelief;
 
 /// A surface with its relief, ready to be traced.
-struct OccluderScene {
-  surface::LimitSurface surface;
-  relief::Relief relief;
-  MicroMesh mesh;
-  MicroScene scene;
-
+struct OccluderScene : test::MicroSurface {
   OccluderScene(const surface::Cage& cage, relief::Relief heights)
-      : surface(cage), relief(std::move(heights)), mesh(surface, relief, {0.25, 0}), scene(mesh) {}
+      : MicroSurface(cage, std::move(heights), 0.25) {}
 
   [[nodiscard]] std::optional<Occluder> first(const surface::SurfaceSample& sample,
                                               const Vec3& light) const {
@@ -34,8 +30,7 @@ struct OccluderScene {
 /// The lee face of a wall 6 high falls from x = 31.5 to 32.5, on a plane of one unit a texel whose
 /// middle is the origin: the ray from (60, 16) meets it where it is as high.
 TEST(FirstOccluder, OfAWallIsTheFaceThatTheRayMeets) {
-  const OccluderScene on(surface::makePlane(96, 32, 12, 4),
-                         stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; }));
+  const OccluderScene on(test::wallPlane(), test::wallRelief());
   const surface::SurfaceSample sample = sampleAt(on.surface, on.relief, {60, 16});
   const double slope = std::tan(radians(10));
   const auto occluder = on.first(sample, lightToward(180, 10));
@@ -62,8 +57,8 @@ TEST(FirstOccluder, IsThereExactlyWhereTheTruthIsDark) {
   const surface::SampleGrid samples = samplesOfAllFaces(on.surface, 3);
   for (const double elevation : {60.0, 20.0}) {
     const Vec3 light = lightToward(35, elevation);
-    const Truth truth = traceShadows(on.surface, on.relief, on.mesh, on.scene, samples,
-                                     {light, 1000, standardRayOffset});
+    const Truth truth =
+        traceShadows(on.surface, on.relief, on.mesh, on.scene, samples, TraceSettings{light});
     std::size_t dark = 0;
     for (std::size_t i = 0; i < samples.samples.size(); ++i) {
       const auto occluder = on.first(samples.samples[i], light);

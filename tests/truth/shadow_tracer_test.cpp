@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "truth/micro_surface.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon::truth {
@@ -20,23 +20,15 @@ using test::sampleAt;
 using test::sampleLine;
 using test::samplesOfAllFaces;
 using test::stepRelief;
+using test::wallPlane;
+using test::wallRelief;
 
 /// A surface with its relief, ready to be traced.
-struct TruthScene {
-  surface::LimitSurface surface;
-  relief::Relief relief;
-  MicroMesh mesh;
-  MicroScene scene;
+struct TruthScene : test::MicroSurface {
+  using MicroSurface::MicroSurface;
 
-  TruthScene(const surface::Cage& cage, relief::Relief heights, double stepTexels)
-      : surface(cage),
-        relief(std::move(heights)),
-        mesh(surface, relief, {stepTexels, 0}),
-        scene(mesh) {}
-
-  [[nodiscard]] Truth trace(const surface::SampleGrid& samples, const Vec3& light,
-                            double radiusTexels = 1000) const {
-    return traceShadows(surface, relief, mesh, scene, samples, {light, radiusTexels, 1e-6});
+  [[nodiscard]] Truth trace(const surface::SampleGrid& samples, const Vec3& light) const {
+    return traceShadows(surface, relief, mesh, scene, samples, {light, 1e-6});
   }
 };
 
@@ -49,18 +41,11 @@ double lastShadowed(const Truth& truth) {
   return (last + 1) / static_cast<double>(truth.mask.size());
 }
 
-/// A wall across a plane of one world unit a texel: 4 texels thick, 6 high. Its top ends at the
-/// centre of its last texel, x = 31.5.
-TruthScene wallScene() {
-  return {surface::makePlane(96, 32, 12, 4),
-          stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; }), 0.25};
-}
-
 class WallShadow : public testing::TestWithParam<std::pair<double, double>> {};
 
 TEST_P(WallShadow, IsAsLongAsTheTangentOfTheLightSays) {
   const auto [azimuth, elevation] = GetParam();
-  const TruthScene scene = wallScene();
+  const TruthScene scene(wallPlane(), wallRelief(), 0.25);
   // The light stands on the wall's far side, turned by `azimuth` from straight across.
   const Vec3 light = lightToward(180 + azimuth, elevation);
   const double length = 6 / std::tan(radians(elevation)) * std::cos(radians(azimuth));
@@ -76,38 +61,8 @@ INSTANTIATE_TEST_SUITE_P(Lights, WallShadow,
                                          std::pair{25.0, 45.0}, std::pair{-40.0, 30.0},
                                          std::pair{30.0, 15.0}));
 
-TEST(ShadowTracer, TellsCastFromDistantByTheTablesRadius) {
-  const TruthScene scene = wallScene();
-  const double slope = std::tan(radians(20));
-  // A ray from the floor at x meets the wall's lee face, which falls from 6 at 31.5 to 0 at 32.5,
-  // or passes over it where the shadow has ended.
-  const auto reach = [slope](double x) { return x - (6 * 32.5 - x * slope) / (6 - slope); };
-  const double end = 31.5 + 6 / slope;
-  const surface::SampleGrid samples =
-      sampleLine(scene.surface, scene.relief, {32.6, 16}, {62.6, 16}, 300);
-  const Truth truth = scene.trace(samples, lightToward(180, 20), 10);
-  for (std::size_t i = 0; i < samples.samples.size(); ++i) {
-    const double x = 32.6 + 30 * (static_cast<double>(i) + 0.5) / 300;
-    if (std::abs(x - end) < 0.01 || std::abs(reach(x) - 10) < 0.01) continue;
-    const Region expected = x > end ? Region::lit : reach(x) > 10 ? Region::distant : Region::cast;
-    EXPECT_EQ(truth.regions[i], expected) << x;
-  }
-}
-
-TEST(ShadowTracer, NothingIsDistantWithinAnInfiniteRadius) {
-  const TruthScene scene = wallScene();
-  const surface::SampleGrid samples =
-      sampleLine(scene.surface, scene.relief, {32.6, 16}, {62.6, 16}, 300);
-  const Vec3 light = lightToward(180, 20);
-  const Truth far = scene.trace(samples, light, 1000);
-  const Truth infinite = scene.trace(samples, light, std::numeric_limits<double>::infinity());
-  EXPECT_GT(std::count(far.regions.begin(), far.regions.end(), Region::cast), 100);
-  EXPECT_EQ(infinite.regions, far.regions);
-  EXPECT_EQ(infinite.mask.samples, far.mask.samples);
-}
-
 TEST(ShadowTracer, FacetsTurnedFromTheLightAreAttached) {
-  const TruthScene scene = wallScene();
+  const TruthScene scene(wallPlane(), wallRelief(), 0.25);
   // The wall's lee side, between the centres of its last texel and the next.
   const surface::SampleGrid lee =
       sampleLine(scene.surface, scene.relief, {31.6, 16}, {32.4, 16}, 16);
@@ -229,9 +184,9 @@ struct RoughTorus {
 
 TEST(ShadowTracer, SeveralLightsAtOnceAreEachLightAlone) {
   const RoughTorus torus;
-  const std::array lights = {TraceSettings{lightToward(30, 20), 12, standardRayOffset},
-                             TraceSettings{lightToward(200, 55), 1000, standardRayOffset},
-                             TraceSettings{lightToward(-80, 5), 12, standardRayOffset}};
+  const std::array lights = {TraceSettings{lightToward(30, 20)},
+                             TraceSettings{lightToward(200, 55)},
+                             TraceSettings{lightToward(-80, 5)}};
   const TruthScene& s = torus.scene;
   const auto together = traceShadows(s.surface, s.relief, s.mesh, s.scene, torus.samples, lights);
   ASSERT_EQ(together.size(), lights.size());
@@ -255,7 +210,7 @@ surface::SampleGrid rowsOf(const surface::SampleGrid& grid, int first, int count
 
 TEST(ShadowTracer, PlacedSamplesAndPartsOfThemGiveTheSame) {
   const RoughTorus torus;
-  const TraceSettings light{lightToward(30, 20), 12, standardRayOffset};
+  const TraceSettings light{lightToward(30, 20)};
   const TruthScene& s = torus.scene;
   const Truth whole = traceShadows(s.surface, s.relief, s.mesh, s.scene, torus.samples, light);
   const Truth placed = traceShadows(s.scene, torus.placed(torus.samples), light);
@@ -279,7 +234,7 @@ TEST(ShadowTracer, AThrowingProgressCancelsEveryStage) {
   const RoughTorus torus;
   const TruthScene& s = torus.scene;
   const Vec2 texels = s.relief.texelsPerUv();
-  const TraceSettings light{lightToward(30, 20), 12, standardRayOffset};
+  const TraceSettings light{lightToward(30, 20)};
   const Progress cancel = [](double) { throw Cancelled(); };
   EXPECT_THROW(MicroMesh(s.surface, s.relief, {0.5, 0}, cancel), Cancelled);
   EXPECT_THROW(MicroScene(s.mesh, cancel), Cancelled);
@@ -296,7 +251,7 @@ TEST(ShadowTracer, ProgressRisesToOne) {
     EXPECT_GT(share, last);
     last = share;
   };
-  const TraceSettings light{lightToward(30, 20), 12, standardRayOffset};
+  const TraceSettings light{lightToward(30, 20)};
   (void)traceShadows(torus.scene.scene, torus.placed(torus.samples), light, progress);
   EXPECT_EQ(last, 1);
 }

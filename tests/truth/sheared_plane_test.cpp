@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "truth/cast_shadows.h"
 #include "truth/shadow_tracer.h"
 #include "truth/truth_scenes.h"
 
@@ -43,7 +44,7 @@ TEST_P(ShearedTruth, WallsShadowEndsWhereTheMetricSays) {
                                     {plane.sampleAt({31.5 + length - 0.05, 15.7}),
                                      plane.sampleAt({31.5 + length + 0.05, 15.7})}};
         const Truth truth = traceShadows(surface, relief, mesh, scene, samples,
-                                         {plane.lightOver(a, e), 1000, standardRayOffset});
+                                         TraceSettings{plane.lightOver(a, e)});
         EXPECT_EQ(truth.mask.samples[0], Shade::shadowed)
             << plane.px.x << " " << plane.py.x << " azimuth " << azimuth << " " << elevation;
         EXPECT_EQ(truth.mask.samples[1], Shade::lit)
@@ -65,6 +66,7 @@ TEST_P(ShearedTruth, RadiusIsInTexelsAlongTheLight) {
     const surface::LimitSurface surface(plane.cage());
     const MicroMesh mesh(surface, relief, {0.25, 0});
     const MicroScene scene(mesh);
+    const SurfacePaths paths(surface);
     const double a = radians(160);
     const double e = radians(4);
     const surface::SampleGrid samples{1, 1, {plane.sampleAt({42.5, 15.7})}};
@@ -76,8 +78,10 @@ TEST_P(ShearedTruth, RadiusIsInTexelsAlongTheLight) {
     ASSERT_LT(met, 11);
     for (const auto& [radius, region] :
          {std::pair{reach + 0.02, Region::cast}, {reach - 0.02, Region::distant}}) {
-      const Truth truth = traceShadows(surface, relief, mesh, scene, samples,
-                                       {plane.lightOver(a, e), radius, standardRayOffset});
+      const TraceSettings light{plane.lightOver(a, e)};
+      Truth truth = traceShadows(surface, relief, mesh, scene, samples, light);
+      splitCastShadows(surface, relief, mesh, scene, paths, {radius}, samples, {&light, 1},
+                       {&truth, 1});
       EXPECT_EQ(truth.regions[0], region) << plane.px.x << " " << plane.py.x;
     }
   }

@@ -104,7 +104,7 @@ TEST(SubdivisionCheck, EmbreesOwnDisplacedSurfaceGivesTheSameShadows) {
   const MicroScene scene(mesh);
   const surface::SampleGrid samples = test::samplesOfAllFaces(surface, 3);
   const Vec3 light = test::lightToward(30, 25);
-  const Truth truth = traceShadows(surface, relief, mesh, scene, samples, {light, 1000, 1e-6});
+  const Truth truth = traceShadows(surface, relief, mesh, scene, samples, {light, 1e-6});
 
   Displacement data{&cage, &relief};
   const embree::Device device(rtcNewDevice(nullptr));

@@ -9,6 +9,7 @@
 
 #include "relief/patterns.h"
 #include "surface/texel_frame.h"
+#include "truth/micro_surface.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon::truth {
@@ -20,17 +21,8 @@ using test::stepRelief;
 
 constexpr double precision = 1e-3;  // as stated: radians
 
-struct HorizonScene {
-  surface::LimitSurface surface;
-  relief::Relief relief;
-  MicroMesh mesh;
-  MicroScene scene;
-
-  HorizonScene(const surface::Cage& cage, relief::Relief heights, double stepTexels)
-      : surface(cage),
-        relief(std::move(heights)),
-        mesh(surface, relief, {stepTexels, 0}),
-        scene(mesh) {}
+struct HorizonScene : test::MicroSurface {
+  using MicroSurface::MicroSurface;
 
   /// Of texel centres x0 … x0 + columns - 1 by y0 … y0 + rows - 1.
   [[nodiscard]] horizon::AngleTable shoot(int x0, int y0, int columns, int rows, int azimuths,
@@ -202,10 +194,7 @@ TEST(SurfaceHorizons, OneRayMeetsWhatAPacketMeets) {
     for (std::size_t i = 0; i < RayPacket::size; ++i) {
       const auto turn = static_cast<double>(i);
       origins[i] = Vec3(45 * std::sin(turn), 20 * std::cos(3 * turn), 45 * std::cos(turn));
-      packet.x[i] = static_cast<float>(origins[i].x);
-      packet.y[i] = static_cast<float>(origins[i].y);
-      packet.z[i] = static_cast<float>(origins[i].z);
-      packet.lengths[i] = std::numeric_limits<float>::infinity();
+      packet.add(origins[i]);
     }
     packet.count = RayPacket::size - static_cast<std::size_t>(k % 3);
     const auto met = scene.scene.occluded(packet, direction);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "relief/relief.h"
@@ -28,6 +29,16 @@ relief::Relief stepRelief(int width, int height, double amplitude, const IsHigh&
 
 inline relief::Relief flatRelief(int width, int height) {
   return stepRelief(width, height, 0, [](int, int) { return false; });
+}
+
+/// A plane of one world unit a texel for the wall.
+inline surface::Cage wallPlane() {
+  return surface::makePlane(96, 32, 12, 4);
+}
+
+/// A wall along y, 6 high: its top lies between x = 28.5 and 31.5, its sides fall to 27.5 and 32.5.
+inline relief::Relief wallRelief() {
+  return stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; });
 }
 
 /// Independent heights in [0, amplitude): the roughest relief there is.

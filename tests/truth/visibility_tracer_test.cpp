@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "common/error.h"
 #include "truth/disc_scenes.h"
+#include "truth/micro_surface.h"
 #include "truth/shadow_tracer.h"
 #include "truth/truth_scenes.h"
 
@@ -21,17 +21,8 @@ using test::flatShare;
 using test::lightToward;
 
 /// A surface with its relief, ready to be traced.
-struct DiscScene {
-  surface::LimitSurface surface;
-  relief::Relief relief;
-  MicroMesh mesh;
-  MicroScene scene;
-
-  DiscScene(const surface::Cage& cage, relief::Relief heights, double stepTexels)
-      : surface(cage),
-        relief(std::move(heights)),
-        mesh(surface, relief, {stepTexels, 0}),
-        scene(mesh) {}
+struct DiscScene : test::MicroSurface {
+  using MicroSurface::MicroSurface;
 
   [[nodiscard]] Mask hard(const surface::SampleGrid& samples, const Vec3& light) const {
     return traceShadows(surface, relief, mesh, scene, samples, TraceSettings{light}).mask;
@@ -42,10 +33,8 @@ struct DiscScene {
   }
 };
 
-/// A wall across a plane, 6 high, whose top ends at x = 31.5.
 DiscScene longWall() {
-  return {surface::makePlane(96, 32, 12, 4),
-          test::stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; }), 0.25};
+  return {test::wallPlane(), test::wallRelief(), 0.25};
 }
 
 constexpr double lineBegin = 32.6;

@@ -14,8 +14,8 @@
 #include "horizon/search_radius.h"
 #include "relief/patch_border.h"
 #include "relief/relief.h"
+#include "truth/cast_shadows.h"
 #include "truth/disc_directions.h"
-#include "truth/global_occluder.h"
 #include "truth/micro_mesh.h"
 #include "truth/micro_scene.h"
 #include "truth/shadow_tracer.h"
@@ -112,6 +112,7 @@ struct Task {
   std::vector<truth::TraceSettings> lights;
   std::vector<double> discs;  ///< one a light
   int directions;
+  std::optional<double> radiusTexels;  ///< D; none where no region is asked for
 };
 
 struct Traced {
@@ -133,12 +134,15 @@ Traced trace(const Task& task, std::optional<double> step, const Progress& progr
   Traced traced{truth::traceShadows(task.surface, task.relief, mesh, scene, task.samples,
                                     task.lights, partOf(progress, 0.4, 0.7)),
                 mesh.askedStepTexels(), mesh.triangleCount()};
-  truth::markGlobal(task.surface, task.relief, mesh, scene, truth::SurfacePaths(task.surface), {},
-                    task.samples, task.lights, traced.truths);
+  if (task.radiusTexels) {
+    truth::splitCastShadows(task.surface, task.relief, mesh, scene,
+                            truth::SurfacePaths(task.surface), {*task.radiusTexels}, task.samples,
+                            task.lights, traced.truths);
+  }
   const auto lights = static_cast<double>(task.lights.size());
   for (std::size_t i = 0; i < task.lights.size(); ++i) {
     if (task.discs[i] == 0) continue;
-    const auto& [light, radius, rayOffset] = task.lights[i];
+    const auto& [light, rayOffset] = task.lights[i];
     const double done = 0.7 + 0.3 * static_cast<double>(i) / lights;
     traced.truths[i].answerBy(
         truth::traceVisibility(mesh, scene, task.samples, traced.truths[i].mask,
@@ -153,6 +157,7 @@ Traced trace(const Task& task, std::optional<double> step, const Progress& progr
 std::vector<truth::Truth> traceCoarser(Task task, const Traced& fine, const Progress& progress) {
   for (truth::TraceSettings& light : task.lights) light.rayOffset = truth::standardRayOffset / 2;
   task.directions /= 2;
+  task.radiusTexels.reset();
   Traced coarse = trace(task, 2 * fine.step, progress);
   if (2 * coarse.triangles > fine.triangles) {
     throw InputError(
@@ -190,7 +195,8 @@ std::vector<ShadowTruth> traceTruth(const Surface& surface, const Displacement& 
     requireDirections(options.directions);
     Task task{
         data.limit, reliefOf(data, displacement),        gridOf(samples, data.limit.faceCount()),
-        {},         discsOf(options, directions.size()), options.directions};
+        {},         discsOf(options, directions.size()), options.directions,
+        {}};
     std::vector<Vec3> lowest;
     for (std::size_t i = 0; i < directions.size(); ++i) {
       lowest.push_back(truth::lowestOfDisc(directions[i], task.discs[i]));
@@ -199,7 +205,8 @@ std::vector<ShadowTruth> traceTruth(const Surface& surface, const Displacement& 
                               ? *options.radius
                               : horizon::searchRadius(data.limit, task.relief, lowest).texels;
     if (!(radius > 0)) throw InputError(fmt::format("radius: {} found, above 0 expected", radius));
-    for (const Vec3& direction : directions) task.lights.push_back({direction, radius});
+    task.radiusTexels = radius;
+    for (const Vec3& direction : directions) task.lights.push_back({direction});
     const Traced fine = trace(task, options.step, partOf(progress, 0, 0.8));
     const std::vector<truth::Truth> coarse =
         traceCoarser(std::move(task), fine, partOf(progress, 0.8, 1));

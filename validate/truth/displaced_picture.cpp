@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "common/counted_progress.h"
 #include "common/parallel.h"
@@ -24,13 +23,8 @@ class PointLighter {
     if (!point.isThere) return;
     picture_[i] = 0;
     if (point.facet.facesAwayFrom(light_)) return;
-    const Vec3 origin = point.facet.rayOrigin(seen_.rayOffset);
-    const std::size_t lane = rays_.count++;
-    rays_.x[lane] = static_cast<float>(origin.x);
-    rays_.y[lane] = static_cast<float>(origin.y);
-    rays_.z[lane] = static_cast<float>(origin.z);
-    rays_.lengths[lane] = std::numeric_limits<float>::infinity();
-    pixels_[lane] = i;
+    pixels_[rays_.count] = i;
+    rays_.add(point.facet.rayOrigin(seen_.rayOffset));
     if (rays_.count == RayPacket::size) trace();
   }
 

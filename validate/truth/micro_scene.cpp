@@ -101,6 +101,7 @@ RTCRay endlessRay(const Vec3& origin, const Vec3& direction) {
 /// What all rays of all packets have.
 void setCommon(RTCRay16& packet, std::size_t k) {
   packet.tnear[k] = 0;
+  packet.tfar[k] = std::numeric_limits<float>::infinity();
   packet.time[k] = 0;
   packet.mask[k] = ~0U;
   packet.id[k] = static_cast<unsigned>(k);
@@ -116,6 +117,13 @@ std::bitset<RayPacket::size> blockedOf(const RTCRay16& packet, std::size_t count
 }
 
 }  // namespace
+
+void RayPacket::add(const Vec3& origin) {
+  const std::size_t k = count++;
+  x[k] = static_cast<float>(origin.x);
+  y[k] = static_cast<float>(origin.y);
+  z[k] = static_cast<float>(origin.z);
+}
 
 void RayBundle::add(const Vec3& origin, const Vec3& direction) {
   const std::size_t k = count++;
@@ -156,7 +164,6 @@ std::bitset<RayPacket::size> MicroScene::occluded(const RayPacket& rays,
     packet.dir_x[k] = static_cast<float>(direction.x);
     packet.dir_y[k] = static_cast<float>(direction.y);
     packet.dir_z[k] = static_cast<float>(direction.z);
-    packet.tfar[k] = rays.lengths[k];
     setCommon(packet, k);
   }
   // Though they share a direction: rays that leave a rough surface part at once, and take 5 to
@@ -176,7 +183,6 @@ std::bitset<RayPacket::size> MicroScene::occluded(const RayBundle& rays, embree:
     packet.dir_x[k] = rays.dx[k];
     packet.dir_y[k] = rays.dy[k];
     packet.dir_z[k] = rays.dz[k];
-    packet.tfar[k] = std::numeric_limits<float>::infinity();
     setCommon(packet, k);
   }
   embree::occluded16(valid.data(), scene_.get(), packet, kind);

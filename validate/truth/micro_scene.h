@@ -13,12 +13,13 @@
 
 namespace gnomon::truth {
 
-/// Up to sixteen shadow rays that share a direction.
+/// Up to sixteen endless shadow rays that share a direction.
 struct RayPacket {
   static constexpr std::size_t size = 16;
   std::array<float, size> x, y, z;  ///< origins, in the mesh's centred coordinates
-  std::array<float, size> lengths;  ///< world units; infinity for no end
   std::size_t count = 0;            ///< rays 0 to count - 1 are there
+
+  void add(const Vec3& origin);
 };
 
 /// Up to sixteen endless shadow rays, each with a unit direction of its own.
@@ -49,7 +50,7 @@ class MicroScene {
   MicroScene& operator=(const MicroScene&) = delete;
   ~MicroScene() = default;
 
-  /// Which of the rays toward `direction` (unit) meet the surface within their lengths.
+  /// Which of the rays toward `direction` (unit) meet the surface.
   [[nodiscard]] std::bitset<RayPacket::size> occluded(const RayPacket& rays,
                                                       const Vec3& direction) const;
   /// Which of the rays meet the surface.

@@ -20,7 +20,7 @@ enum class Region : std::uint8_t {
   distant,           ///< shadowed only by an occluder beyond that radius
   beyondTerminator,  ///< the undisplaced surface is turned from the light, n·L ≤ 0: lit or not
   global,            ///< shadowed from where the path over the surface does not lead: another limb,
-                     ///< the body's far side, another body; see global_occluder.h
+                     ///< the body's far side, another body; see cast_shadows.h
 };
 
 /// As reports and thresholds spell it: "lit", "attached", "cast", "distant", "global",

@@ -44,7 +44,7 @@ std::size_t placeSamples(SamplePlacer& placer, std::span<const surface::SurfaceS
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const SamplePlace place = placer.place(samples[i]);
     starts[i] = rayStart(place);
-    axes[i] = {place.frame.px, place.frame.py};
+    if (!axes.empty()) axes[i] = {place.frame.px, place.frame.py};
     undefined += samples[i].face >= 0 && !place.defined ? 1 : 0;
   }
   return undefined;

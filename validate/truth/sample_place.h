@@ -73,10 +73,11 @@ struct PlacedSamples {
 };
 
 /// Places samples on this thread.
-/// @param starts, axes  as many as there are samples
+/// @param starts  as many as there are samples
+/// @param axes    as many, or none
 /// @returns how many of them lie on the surface but have no answer of the truth
 std::size_t placeSamples(SamplePlacer& placer, std::span<const surface::SurfaceSample> samples,
-                         std::span<RayStart> starts, std::span<TexelAxes> axes);
+                         std::span<RayStart> starts, std::span<TexelAxes> axes = {});
 
 /// Places samples on a micro-mesh, for lights that come one after the other.
 /// @param progress  may throw to cancel, see common/progress.h

@@ -123,7 +123,7 @@ bool TextureCharts::crossesSeam(const surface::SurfaceSample& sample, Vec2 direc
 std::vector<std::vector<std::uint8_t>> seamCrossings(
     const surface::LimitSurface& surface, const relief::Relief& relief, const MicroMesh& mesh,
     const MicroScene& scene, const TextureCharts& charts, const surface::SampleGrid& samples,
-    std::span<const Truth> truths, std::span<const TraceSettings> lights) {
+    std::span<const Truth> truths, std::span<const TraceSettings> lights, double radiusTexels) {
   const std::size_t count = samples.samples.size();
   std::vector<std::vector<std::uint8_t>> crosses(lights.size(),
                                                  std::vector<std::uint8_t>(count, 0));
@@ -139,7 +139,7 @@ std::vector<std::vector<std::uint8_t>> seamCrossings(
                    place.facet.rayOrigin(mesh.rayOffset(light.rayOffset)), light.light)) {
       world = hit->distance / std::hypot(1.0, local.slope);
     }
-    return std::min(light.radiusTexels, world / local.worldPerTexel);
+    return std::min(radiusTexels, world / local.worldPerTexel);
   };
   constexpr std::size_t piece = 256;
   parallelFor(0, (count + piece - 1) / piece, [&](std::size_t p) {

@@ -57,7 +57,7 @@ class TextureCharts {
 
 /// For every light one byte a sample: 1 where the path to the light crosses a seam, so that part of
 /// a method's error there is due to the parametrisation. The path starts at the sample and runs
-/// straight over the map toward the light, `TraceSettings::radiusTexels` at most, and no farther
+/// straight over the map toward the light, D = `radiusTexels` at most, and no farther
 /// - than to the truth's occluder, where there is one: texels along the light's azimuth at the
 ///   sample's own metric;
 /// - than to where the ray stands higher over the sample's tangent plane than the relief's highest
@@ -67,6 +67,6 @@ class TextureCharts {
 std::vector<std::vector<std::uint8_t>> seamCrossings(
     const surface::LimitSurface& surface, const relief::Relief& relief, const MicroMesh& mesh,
     const MicroScene& scene, const TextureCharts& charts, const surface::SampleGrid& samples,
-    std::span<const Truth> truths, std::span<const TraceSettings> lights);
+    std::span<const Truth> truths, std::span<const TraceSettings> lights, double radiusTexels);
 
 }  // namespace gnomon::truth

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "common/counted_progress.h"
 #include "common/error.h"
 #include "common/parallel.h"
-#include "surface/texel_frame.h"
 #include "truth/flush_denormals.h"
 
 namespace gnomon::truth {
@@ -21,7 +18,6 @@ constexpr std::size_t tileSide = 4;
 /// Up to four rows of a view's samples.
 struct Band {
   std::span<const RayStart> starts;
-  std::span<const TexelAxes> axes;
   std::size_t width;
   std::size_t first;  ///< the view's sample that is the band's first
 };
@@ -51,16 +47,10 @@ class BandTracer {
 
   void trace() {
     forEachInTiles(band_, [this](std::size_t i) { begin(i); });
-    traceFar();
-    traceNear();
+    traceWaiting();
   }
 
  private:
-  struct Waiting {
-    RayPacket rays{};
-    std::array<std::size_t, RayPacket::size> samples{};  ///< of the band
-  };
-
   /// Settles what needs no ray.
   void begin(std::size_t i) {
     const RayStart& start = band_.starts[i];
@@ -70,56 +60,23 @@ class BandTracer {
     region(i) = beyond ? Region::beyondTerminator : turned ? Region::attached : Region::lit;
     shade(i) = turned ? Shade::shadowed : Shade::lit;
     if (turned) return;
-    const Vec3 origin = start.facet.rayOrigin(rayOffset_);
-    const auto f = [](double value) { return static_cast<float>(value); };
-    add(far_, i, {f(origin.x), f(origin.y), f(origin.z)}, std::numeric_limits<float>::infinity());
-    if (far_.rays.count == RayPacket::size) traceFar();
+    samples_[rays_.count] = i;
+    rays_.add(start.facet.rayOrigin(rayOffset_));
+    if (rays_.count == RayPacket::size) traceWaiting();
   }
 
-  static void add(Waiting& waiting, std::size_t i, const std::array<float, 3>& origin,
-                  float length) {
-    RayPacket& rays = waiting.rays;
-    const std::size_t lane = rays.count++;
-    rays.x[lane] = origin[0];
-    rays.y[lane] = origin[1];
-    rays.z[lane] = origin[2];
-    rays.lengths[lane] = length;
-    waiting.samples[lane] = i;
-  }
-
-  void traceFar() {
-    if (far_.rays.count == 0) return;
-    const RayPacket& rays = far_.rays;
-    const auto blocked = scene_.occluded(rays, settings_.light);
-    for (std::size_t k = 0; k < rays.count; ++k) {
-      const std::size_t i = far_.samples[k];
+  void traceWaiting() {
+    if (rays_.count == 0) return;
+    const auto blocked = scene_.occluded(rays_, settings_.light);
+    for (std::size_t k = 0; k < rays_.count; ++k) {
       if (!blocked[k]) continue;
+      const std::size_t i = samples_[k];
       shade(i) = Shade::shadowed;
-      if (region(i) != Region::lit) continue;
-      if (std::isinf(settings_.radiusTexels)) {
-        region(i) = Region::cast;
-        continue;
-      }
-      // A second, shorter ray tells occluders within D from those beyond.
-      add(near_, i, {rays.x[k], rays.y[k], rays.z[k]}, static_cast<float>(lengthOfRadius(i)));
-      if (near_.rays.count == RayPacket::size) traceNear();
+      if (region(i) == Region::lit) region(i) = Region::cast;
     }
-    far_.rays.count = 0;
+    rays_.count = 0;
   }
 
-  void traceNear() {
-    if (near_.rays.count == 0) return;
-    const auto blocked = scene_.occluded(near_.rays, settings_.light);
-    for (std::size_t k = 0; k < near_.rays.count; ++k) {
-      region(near_.samples[k]) = blocked[k] ? Region::cast : Region::distant;
-    }
-    near_.rays.count = 0;
-  }
-
-  [[nodiscard]] double lengthOfRadius(std::size_t i) const {
-    return rayLength(band_.starts[i].normal, band_.axes[i], settings_.light,
-                     settings_.radiusTexels);
-  }
   [[nodiscard]] Shade& shade(std::size_t i) { return truth_.mask.samples[band_.first + i]; }
   [[nodiscard]] Region& region(std::size_t i) { return truth_.regions[band_.first + i]; }
 
@@ -128,7 +85,8 @@ class BandTracer {
   double rayOffset_;  ///< world length
   Band band_;
   Truth& truth_;
-  Waiting far_, near_;
+  RayPacket rays_{};
+  std::array<std::size_t, RayPacket::size> samples_{};  ///< of the band, one a ray
 };
 
 Truth emptyTruth(int width, int height) {
@@ -166,7 +124,6 @@ Truth traceShadows(const MicroScene& scene, const PlacedSamples& placed,
   Truth truth = emptyTruth(placed.width, placed.height);
   forEachBand(placed.width, placed.height, progress, [&](std::size_t first, std::size_t count) {
     const Band band{std::span(placed.starts).subspan(first, count),
-                    std::span(placed.axes).subspan(first, count),
                     static_cast<std::size_t>(placed.width), first};
     BandTracer(scene, placed.extent, settings, band, truth).trace();
   });
@@ -183,10 +140,8 @@ std::vector<Truth> traceShadows(const surface::LimitSurface& surface, const reli
   forEachBand(samples.width, samples.height, progress, [&](std::size_t first, std::size_t count) {
     SamplePlacer placer(surface, relief.texelsPerUv(), mesh);
     RawVector<RayStart> starts(count);
-    RawVector<TexelAxes> axes(count);
-    undefined +=
-        placeSamples(placer, std::span(samples.samples).subspan(first, count), starts, axes);
-    const Band band{starts, axes, static_cast<std::size_t>(samples.width), first};
+    undefined += placeSamples(placer, std::span(samples.samples).subspan(first, count), starts);
+    const Band band{starts, static_cast<std::size_t>(samples.width), first};
     for (std::size_t l = 0; l < lights.size(); ++l) {
       BandTracer(scene, mesh.extent(), lights[l], band, truths[l]).trace();
     }

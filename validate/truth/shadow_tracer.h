@@ -22,14 +22,14 @@ constexpr std::uint8_t noCaster = 255;
 struct Truth {
   /// Of a light with a disc, once `answerBy` has set it: where less than half of it is seen.
   Mask mask;
-  /// One a sample; none is `global` before `markGlobal` has looked for those.
+  /// One a sample. Whatever an occluder shades is `cast` until `splitCastShadows` has asked which.
   std::vector<Region> regions;
   std::size_t undefinedSamples = 0;  ///< samples without a frame: Shade::none in the mask
   /// One a sample, 1 where its path to the light crosses a texture seam; empty before
   /// `seamCrossings` fills it.
   std::vector<std::uint8_t> crossesSeam = {};
   /// One a sample of a surface with parts: the part of the first occluder, where a shadow is cast,
-  /// else `noCaster`. Empty before `markGlobal` fills it, and for a surface of one part.
+  /// else `noCaster`. Empty before `splitCastShadows` fills it, and for a surface of one part.
   std::vector<std::uint8_t> casters = {};
   /// Of a light with a disc: the share that each sample sees. Empty of a point light. The regions
   /// are those of the hard shadow to the disc's centre.
@@ -40,19 +40,16 @@ struct Truth {
   void answerBy(Visibility shares);
 };
 
-/// Light and range of one trace.
+/// The shadow rays of one trace.
 struct TraceSettings {
   Vec3 light{0, 0, 1};  ///< unit vector toward the directional light
-  /// D: farther occluders are `distant`. Where it is infinite none is, and no ray asks.
-  double radiusTexels = 128;
   /// How far over its facet a ray starts, as a share of the mesh's largest coordinate.
   double rayOffset = standardRayOffset;
 };
 
 /// Traces one shadow ray a sample. A ray starts on the facet that holds the sample's displaced
 /// point (known from (s, t)), a little off it (Facet::rayOrigin); a facet turned from the light is
-/// shadowed without a ray. How far away an occluder stands is measured as the horizon tables do:
-/// texels along the light's azimuth, at the sample's own metric.
+/// shadowed without a ray.
 /// Results do not depend on the number of threads, nor on which other samples are traced with one.
 /// @param placed    on the mesh of the scene
 /// @param progress  may throw to cancel, see common/progress.h

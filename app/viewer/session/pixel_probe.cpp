@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "model/cross_section.h"
-#include "truth/global_occluder.h"
+#include "truth/cast_shadows.h"
 #include "truth/shadow_tracer.h"
 
 namespace gnomon::app {
@@ -61,17 +61,16 @@ truth::Region PixelProbe::regionOf(const ViewSession& session,
   const TracedMesh* traced = session.traced();
   if (traced == nullptr) return truth::Region::none;
   const relief::Relief& relief = scene.study->relief;
-  const truth::TraceSettings light{lightSpec(session.state().light).direction(),
-                                   scene.study->bake.settings.radiusTexels,
-                                   truth::standardRayOffset};
+  const truth::TraceSettings light{lightSpec(session.state().light).direction()};
   const surface::SampleGrid one{1, 1, {sample}};
   truth::Truth truth =
       truth::traceShadows(*scene.surface, relief, traced->mesh, traced->scene, one, light);
   if (truth::isCastShadow(truth.regions.front())) {
     if (!paths_ || pathsOf_ != scene.keys.surface) paths_.emplace(*scene.surface);
     pathsOf_ = scene.keys.surface;
-    truth::markGlobal(*scene.surface, relief, traced->mesh, traced->scene, *paths_,
-                      scene.study->cage.limitFaceParts(), one, {&light, 1}, {&truth, 1});
+    truth::splitCastShadows(*scene.surface, relief, traced->mesh, traced->scene, *paths_,
+                            {scene.study->bake.settings.radiusTexels}, one, {&light, 1},
+                            {&truth, 1});
   }
   return truth.regions.front();
 }

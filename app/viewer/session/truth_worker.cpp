@@ -103,8 +103,7 @@ class GrowingTruth {
     const surface::SampleGrid grid = packedGrid(*truth_.samples, asked);
     const truth::Truth found =
         truth::traceShadows(*scene.surface, scene.study->relief, traced.mesh, traced.scene, grid,
-                            {request_.light.direction(), scene.study->bake.settings.radiusTexels,
-                             truth::standardRayOffset});
+                            truth::TraceSettings{request_.light.direction()});
     for (std::size_t i = 0; i < asked.size(); ++i) {
       hard_.samples[asked[i]] = found.mask.samples[i];
       if (!isSoft()) mark(asked[i]);

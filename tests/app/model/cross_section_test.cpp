@@ -17,11 +17,8 @@ using test::lightToward;
 using test::randomRelief;
 using test::sampleAt;
 using test::stepRelief;
-
-/// A wall 6 high whose top lies between x = 28.5 and 31.5, on a plane of one world unit a texel.
-relief::Relief wall() {
-  return stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; });
-}
+using test::wallPlane;
+using test::wallRelief;
 
 CrossSection sectionAt(const surface::LimitSurface& surface, const relief::Relief& relief,
                        Vec2 texel, const Vec3& light) {
@@ -30,8 +27,8 @@ CrossSection sectionAt(const surface::LimitSurface& surface, const relief::Relie
 
 /// Figure 1 on a plane: all corrections vanish, and the wall hides the light below 6 / distance.
 TEST(CrossSection, OfAWallOnAPlaneIsFlatAndItsHorizonTheWallsTop) {
-  const surface::LimitSurface surface(surface::makePlane(96, 32, 12, 4));
-  const relief::Relief relief = wall();
+  const surface::LimitSurface surface(wallPlane());
+  const relief::Relief relief = wallRelief();
   for (const double azimuth : {0.0, 25.0, -40.0}) {
     const double far = (60.25 - 31.5) / std::cos(radians(azimuth));
     const double top = std::atan(6 / far) * 180 / pi;
@@ -70,8 +67,8 @@ TEST(CrossSection, OfAWallOnAPlaneIsFlatAndItsHorizonTheWallsTop) {
 
 /// The wall under a light with a disc, whose lowest and highest rays lie ρ from its centre.
 TEST(CrossSection, ShowsOfADiscTheShareOverTheWall) {
-  const surface::LimitSurface surface(surface::makePlane(96, 32, 12, 4));
-  const relief::Relief relief = wall();
+  const surface::LimitSurface surface(wallPlane());
+  const relief::Relief relief = wallRelief();
   const double top = std::atan(6 / (60.25 - 31.5));
   const double radius = radians(3.0);
   double last = -1;
@@ -105,7 +102,7 @@ TEST(CrossSection, ShowsOfADiscTheShareOverTheWall) {
 /// Heights in texels: a = σ on an even map, so that slopes in the world are those of the map.
 TEST(CrossSection, MeasuresHeightsInTexelsWhereTheReliefDoes) {
   const surface::LimitSurface surface(surface::makePlane(48, 16, 12, 4));
-  relief::Relief relief = wall();
+  relief::Relief relief = wallRelief();
   relief.space = relief::HeightSpace::texture;
   const CrossSection section = sectionAt(surface, relief, {60, 16}, lightToward(180, 20));
   EXPECT_NEAR(section.worldPerTexel, 0.5, 1e-6);
@@ -183,8 +180,8 @@ TEST(CrossSection, WhereTheSurfaceIsConcaveIsBentUpward) {
 }
 
 TEST(CrossSection, IsAbsentWithoutASampleAndFiniteUnderAZenithLight) {
-  const surface::LimitSurface surface(surface::makePlane(96, 32, 12, 4));
-  const relief::Relief relief = wall();
+  const surface::LimitSurface surface(wallPlane());
+  const relief::Relief relief = wallRelief();
   EXPECT_FALSE(crossSection(surface, relief, {}, Vec3(0, 0, 1)));
   const CrossSection section = sectionAt(surface, relief, {60, 16}, Vec3(0, 0, 1));
   EXPECT_FALSE(section.here.onoue2004);

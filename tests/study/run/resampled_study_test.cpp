@@ -92,8 +92,7 @@ Mask truthOf(const StudySpec& study, double coarser = 1) {
   const truth::MicroMesh mesh(surface, study.relief, settings);
   const truth::MicroScene scene(mesh);
   return truth::traceShadows(surface, study.relief, mesh, scene, samples,
-                             {test::lightToward(20, 25), study.bake.settings.radiusTexels,
-                              truth::standardRayOffset})
+                             truth::TraceSettings{test::lightToward(20, 25)})
       .mask;
 }
 

@@ -74,10 +74,9 @@ TEST_F(TruthTracerTest, EndsWithTheMaskThatARunTraces) {
   ASSERT_FALSE(found.empty());
   const truth::MicroMesh mesh(*scene_->surface, scene_->study->relief, scene_->study->truth);
   const truth::MicroScene scene(mesh);
-  const truth::Truth truth = truth::traceShadows(
-      *scene_->surface, scene_->study->relief, mesh, scene, *asked.views[0].samples,
-      {asked.light.direction(), scene_->study->bake.settings.radiusTexels,
-       truth::standardRayOffset});
+  const truth::Truth truth =
+      truth::traceShadows(*scene_->surface, scene_->study->relief, mesh, scene,
+                          *asked.views[0].samples, truth::TraceSettings{asked.light.direction()});
   EXPECT_EQ(maskOf(found.back()).samples, truth.mask.samples);
   EXPECT_EQ(found.back().share(), 1);
 }
@@ -94,10 +93,9 @@ TEST_F(TruthTracerTest, UnderADiscEndsWithTheSharesThatARunTraces) {
   ASSERT_EQ(found.back().share(), 1);
   const truth::MicroMesh mesh(*scene_->surface, scene_->study->relief, scene_->study->truth);
   const truth::MicroScene scene(mesh);
-  const truth::Truth hard = truth::traceShadows(
-      *scene_->surface, scene_->study->relief, mesh, scene, *asked.views[0].samples,
-      {asked.light.direction(), scene_->study->bake.settings.radiusTexels,
-       truth::standardRayOffset});
+  const truth::Truth hard =
+      truth::traceShadows(*scene_->surface, scene_->study->relief, mesh, scene,
+                          *asked.views[0].samples, truth::TraceSettings{asked.light.direction()});
   const Visibility truth =
       truth::traceVisibility(mesh, scene, *asked.views[0].samples, hard.mask,
                              {asked.light.direction(), asked.light.radius,

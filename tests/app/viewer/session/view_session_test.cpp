@@ -19,7 +19,7 @@
 #include "render/shader_files.h"
 #include "support/replaced.h"
 #include "support/scoped_variable.h"
-#include "truth/global_occluder.h"
+#include "truth/cast_shadows.h"
 #include "viewer/session/pixel_probe.h"
 #include "viewer/window/saved_view.h"
 #include "viewer/window/status_file.h"
@@ -177,13 +177,13 @@ TEST_F(ViewSessionTest, TellsWhatIsKnownOfAPixel) {
   const surface::SampleGrid& samples = *session.samples();
   const SceneData& scene = *session.scene();
   const TracedMesh& traced = *session.traced();
-  const truth::TraceSettings light{scene.study->lights.front().direction(),
-                                   scene.study->bake.settings.radiusTexels,
-                                   truth::standardRayOffset};
+  const truth::TraceSettings light{scene.study->lights.front().direction()};
+  const double radiusTexels = scene.study->bake.settings.radiusTexels;
   truth::Truth truth = truth::traceShadows(*scene.surface, scene.study->relief, traced.mesh,
                                            traced.scene, samples, light);
-  truth::markGlobal(*scene.surface, scene.study->relief, traced.mesh, traced.scene,
-                    truth::SurfacePaths(*scene.surface), {}, samples, {&light, 1}, {&truth, 1});
+  truth::splitCastShadows(*scene.surface, scene.study->relief, traced.mesh, traced.scene,
+                          truth::SurfacePaths(*scene.surface), {radiusTexels}, samples, {&light, 1},
+                          {&truth, 1});
   const Mask mask = *maskOf(session, 0);
   const auto word = [](Shade shade) { return shade == Shade::lit ? "lit" : "in shadow"; };
   PixelProbe probe;
@@ -203,7 +203,7 @@ TEST_F(ViewSessionTest, TellsWhatIsKnownOfAPixel) {
                               fmt::format("region {}: ", truth::regionName(truth.regions[i]))));
     // The horizon of a flat relief over the base surface, and its height, by the reference.
     const auto section = crossSection(*scene.surface, scene.study->relief, samples.samples[i],
-                                      light.light, {light.radiusTexels, 0});
+                                      light.light, {radiusTexels, 0});
     ASSERT_TRUE(section);
     EXPECT_EQ(lines[3], fmt::format("horizon {:.1f}° over the surface, light {:.1f}°",
                                     std::atan(section->here.flat.slope) * 180 / pi,

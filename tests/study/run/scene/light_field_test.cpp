@@ -232,7 +232,7 @@ TEST_P(BlockShadow, IsAsLongAsTheTangentOfTheLightSays) {
   const surface::SampleGrid samples = atlasSamples(surface, view);
   const Vec3 light = lightToward(azimuth, elevation);
   const truth::Truth truth =
-      truth::traceShadows(surface, relief, mesh, scene, samples, {light, 1000, 1e-6});
+      truth::traceShadows(surface, relief, mesh, scene, samples, {light, 1e-6});
   const compare::ShadowLengths found = compare::compareShadowLengths(
       truth.mask, truth.mask, makeLightField(surface, AtlasSpec{side}, view, samples, light));
   ASSERT_TRUE(found.truthLength) << found.runs;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -18,7 +17,7 @@
 #include "study/run/scene/cached_fields.h"
 #include "study/run/scene/cast_lengths.h"
 #include "study/spec/with_keys.h"
-#include "truth/global_occluder.h"
+#include "truth/cast_shadows.h"
 #include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
 #include "truth/surface_paths.h"
@@ -31,7 +30,7 @@ namespace {
 std::vector<truth::TraceSettings> settingsOf(const RunScene& scene, double rayOffset) {
   std::vector<truth::TraceSettings> settings;
   for (const LightSpec& light : scene.study.lights) {
-    settings.push_back({light.direction(), scene.study.bake.settings.radiusTexels, rayOffset});
+    settings.push_back({light.direction(), rayOffset});
   }
   return settings;
 }
@@ -74,14 +73,6 @@ std::vector<truth::Truth> trace(RunScene& scene, const TracedSurface& surface,
     truths.push_back(truth::traceShadows(surface.scene, *placed, light, progress));
   }
   return truths;
-}
-
-/// The same lights with no D: nobody is asked how far an occluder stands.
-std::vector<truth::TraceSettings> endless(std::vector<truth::TraceSettings> lights) {
-  for (truth::TraceSettings& light : lights) {
-    light.radiusTexels = std::numeric_limits<double>::infinity();
-  }
-  return lights;
 }
 
 void requireFrames(const surface::SampleGrid& samples, const truth::Truth& truth) {
@@ -159,7 +150,7 @@ std::shared_ptr<const truth::SurfacePaths> surfacePaths(RunScene& scene) {
       [](const truth::SurfacePaths& paths) { return paths.byteCount(); });
 }
 
-/// With their regions `global` and `seam`. Under some of the lights, together: they share the
+/// With all their regions. Under some of the lights, together: they share the
 /// samples' places.
 std::vector<truth::Truth> traceWithRegions(RunScene& scene, const TracedSurface& surface,
                                            const BaseCase& base, std::size_t view,
@@ -168,15 +159,17 @@ std::vector<truth::Truth> traceWithRegions(RunScene& scene, const TracedSurface&
   const auto lights = some(settingsOf(scene, truth::standardRayOffset), which);
   return scene.clock.measure("truth", [&](const Progress& progress) {
     const auto placed = placesOf(scene, surface, scene.keys.surface(), base, view, progress);
-    // The first occluders tell what is global, and then also what stands beyond D.
     std::vector<truth::Truth> truths =
-        trace(scene, surface, placed.get(), samples, endless(lights), progress);
-    truth::markGlobal(scene.surface, scene.study.relief, surface.mesh, surface.scene,
-                      *surfacePaths(scene), scene.study.cage.limitFaceParts(), samples, lights,
-                      truths, placed.get());
+        trace(scene, surface, placed.get(), samples, lights, progress);
+    const double radiusTexels = scene.study.bake.settings.radiusTexels;
+    const std::vector<int> parts = scene.study.cage.limitFaceParts();
+    truth::splitCastShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene,
+                            *surfacePaths(scene), {radiusTexels, parts}, samples, lights, truths,
+                            placed.get());
     const truth::TextureCharts charts(scene.surface, scene.study.relief);
-    auto crossings = truth::seamCrossings(scene.surface, scene.study.relief, surface.mesh,
-                                          surface.scene, charts, samples, truths, lights);
+    auto crossings =
+        truth::seamCrossings(scene.surface, scene.study.relief, surface.mesh, surface.scene, charts,
+                             samples, truths, lights, radiusTexels);
     for (std::size_t i = 0; i < lights.size(); ++i) {
       truths[i].crossesSeam = std::move(crossings[i]);
     }
@@ -225,7 +218,7 @@ std::vector<UncertaintyRecord> uncertaintiesOf(RunScene& scene, SurfaceOnDemand&
   const auto measure = [&](const std::vector<std::size_t>& missing) {
     requireCoarser(half.get(), truth);
     return scene.clock.measure("uncertainty", [&](const Progress& progress) {
-      const auto lights = endless(some(settingsOf(scene, rays.rayOffset), missing));
+      const auto lights = some(settingsOf(scene, rays.rayOffset), missing);
       const auto placed = placesOf(scene, half.get(), halfKey, base, view, progress);
       std::vector<truth::Truth> coarse =
           trace(scene, half.get(), placed.get(), base.views[view].samples, lights, progress);

@@ -1,8 +1,8 @@
-#include "truth/global_occluder.h"
+#include "truth/cast_shadows.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "common/parallel.h"
 #include "truth/flush_denormals.h"
@@ -30,48 +30,49 @@ Placed placedBy(SamplePlacer& placer, const surface::SurfaceSample& sample) {
   return {rayStart(place), {place.frame.px, place.frame.py}};
 }
 
-/// Whether an occluder stands farther than D.
-bool isBeyond(const TraceSettings& settings, const Placed& from, double distance) {
-  return std::isfinite(settings.radiusTexels) &&
-         distance > rayLength(from.start.normal, from.axes, settings.light, settings.radiusTexels);
-}
-
 }  // namespace
 
-void markGlobal(const surface::LimitSurface& surface, const relief::Relief& relief,
-                const MicroMesh& mesh, const MicroScene& scene, const SurfacePaths& paths,
-                std::span<const int> parts, const surface::SampleGrid& samples,
-                std::span<const TraceSettings> lights, std::span<Truth> truths,
-                const PlacedSamples* placed) {
+void splitCastShadows(const surface::LimitSurface& surface, const relief::Relief& relief,
+                      const MicroMesh& mesh, const MicroScene& scene, const SurfacePaths& paths,
+                      const CastShadowSettings& settings, const surface::SampleGrid& samples,
+                      std::span<const TraceSettings> lights, std::span<Truth> truths,
+                      const PlacedSamples* placed) {
+  const std::span<const int> parts = settings.parts;
   const std::size_t count = samples.samples.size();
   if (!parts.empty()) {
     for (Truth& truth : truths) truth.casters.assign(count, noCaster);
   }
+  // The region of a sample whose ray first meets the surface there.
+  const auto regionBy = [&](const surface::SurfaceSample& sample, const Placed& from,
+                            const Vec3& origin, const Vec3& light, const SurfaceHit& hit) {
+    const Vec3 occluder = mesh.centre() + origin + hit.distance * light;
+    const bool isOnPath =
+        paths.leadTo({sample, from.start.normal, light}, targetOf(surface, mesh, hit, occluder));
+    if (!isOnPath) return Region::global;
+    const double reach = rayLength(from.start.normal, from.axes, light, settings.radiusTexels);
+    return hit.distance > reach ? Region::distant : Region::cast;
+  };
   constexpr std::size_t piece = 256;
   parallelFor(0, (count + piece - 1) / piece, [&](std::size_t p) {
     const FlushDenormals flush;
     SamplePlacer placer(surface, relief.texelsPerUv(), mesh);
     for (std::size_t i = p * piece; i < std::min(count, (p + 1) * piece); ++i) {
-      const auto isCast = [&](const Truth& truth) { return isCastShadow(truth.regions[i]); };
+      const auto isCast = [&](const Truth& truth) { return truth.regions[i] == Region::cast; };
       if (std::none_of(truths.begin(), truths.end(), isCast)) continue;
       const surface::SurfaceSample& sample = samples.samples[i];
       const Placed from =
           placed != nullptr ? Placed{placed->starts[i], placed->axes[i]} : placedBy(placer, sample);
       for (std::size_t l = 0; l < lights.size(); ++l) {
         if (!isCast(truths[l])) continue;
-        const Vec3& light = lights[l].light;
-        const Vec3 origin = from.start.facet.rayOrigin(mesh.rayOffset(lights[l].rayOffset));
+        const auto& [light, rayOffset] = lights[l];
+        const Vec3 origin = from.start.facet.rayOrigin(mesh.rayOffset(rayOffset));
         const auto hit = scene.nearest(origin, light);
         if (!hit) continue;  // a ray that grazes an edge
         if (!parts.empty()) {
           truths[l].casters[i] =
               static_cast<std::uint8_t>(parts[static_cast<std::size_t>(hit->face)]);
         }
-        if (isBeyond(lights[l], from, hit->distance)) truths[l].regions[i] = Region::distant;
-        const Vec3 occluder = mesh.centre() + origin + hit->distance * light;
-        const bool isOnPath = paths.leadTo({sample, from.start.normal, light},
-                                           targetOf(surface, mesh, *hit, occluder));
-        if (!isOnPath) truths[l].regions[i] = Region::global;
+        truths[l].regions[i] = regionBy(sample, from, origin, light, *hit);
       }
     }
   });

@@ -1,13 +1,14 @@
-#include "truth/global_occluder.h"
+#include "truth/cast_shadows.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
+#include "truth/micro_surface.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon::truth {
@@ -20,48 +21,41 @@ using test::sampleAt;
 using test::sampleLine;
 using test::samplesOfAllFaces;
 using test::stepRelief;
+using test::wallPlane;
+using test::wallRelief;
 
-/// A surface with its relief, traced and its regions marked.
-struct MarkedScene {
-  surface::LimitSurface surface;
-  relief::Relief relief;
-  MicroMesh mesh;
-  MicroScene scene;
+/// A surface with its relief, whose cast shadows are split.
+struct DividedScene : test::MicroSurface {
   SurfacePaths paths;
   std::vector<int> parts = {};
 
-  MarkedScene(const surface::Cage& cage, relief::Relief heights, double stepTexels)
-      : surface(cage),
-        relief(std::move(heights)),
-        mesh(surface, relief, {stepTexels, 0}),
-        scene(mesh),
-        paths(surface) {}
+  DividedScene(const surface::Cage& cage, relief::Relief heights, double stepTexels)
+      : MicroSurface(cage, std::move(heights), stepTexels), paths(surface) {}
 
   [[nodiscard]] Truth trace(const surface::SampleGrid& samples, const Vec3& light,
                             double radiusTexels = 1000) const {
-    const std::array lights = {TraceSettings{light, radiusTexels, standardRayOffset}};
-    std::vector<Truth> truths = traceShadows(surface, relief, mesh, scene, samples, lights);
-    std::vector<Truth> fromPlaces = truths;
-    markGlobal(surface, relief, mesh, scene, paths, parts, samples, lights, truths);
+    const TraceSettings ray{light};
+    const Truth undivided = traceShadows(surface, relief, mesh, scene, samples, ray);
+    const CastShadowSettings settings{radiusTexels, parts};
+    const auto divided = [&](const PlacedSamples* placed) {
+      Truth truth = undivided;
+      splitCastShadows(surface, relief, mesh, scene, paths, settings, samples, {&ray, 1},
+                       {&truth, 1}, placed);
+      return truth;
+    };
+    const Truth truth = divided(nullptr);
     const PlacedSamples placed = placeSamples(surface, relief.texelsPerUv(), mesh, samples);
-    markGlobal(surface, relief, mesh, scene, paths, parts, samples, lights, fromPlaces, &placed);
-    EXPECT_EQ(fromPlaces.front().regions, truths.front().regions);
-    EXPECT_EQ(fromPlaces.front().casters, truths.front().casters);
-    std::vector<Truth> endless = traceEndless(samples, light);
-    markGlobal(surface, relief, mesh, scene, paths, parts, samples, lights, endless, &placed);
-    EXPECT_EQ(endless.front().regions, truths.front().regions);
-    endless = traceEndless(samples, light);
-    markGlobal(surface, relief, mesh, scene, paths, parts, samples, lights, endless);
-    EXPECT_EQ(endless.front().regions, truths.front().regions);
-    return truths.front();
-  }
-
- private:
-  [[nodiscard]] std::vector<Truth> traceEndless(const surface::SampleGrid& samples,
-                                                const Vec3& light) const {
-    const std::array lights = {
-        TraceSettings{light, std::numeric_limits<double>::infinity(), standardRayOffset}};
-    return traceShadows(surface, relief, mesh, scene, samples, lights);
+    const Truth fromPlaces = divided(&placed);
+    EXPECT_EQ(fromPlaces.regions, truth.regions);
+    EXPECT_EQ(fromPlaces.casters, truth.casters);
+    for (std::size_t i = 0; i < truth.regions.size(); ++i) {
+      const bool wasCast = undivided.regions[i] == Region::cast;
+      EXPECT_EQ(isCastShadow(truth.regions[i]), wasCast);
+      if (!wasCast) {
+        EXPECT_EQ(truth.regions[i], undivided.regions[i]);
+      }
+    }
+    return truth;
   }
 };
 
@@ -82,8 +76,8 @@ void add(surface::Cage& cage, const surface::Cage& other) {
 
 /// Where a hit says that it is, the facet is too.
 TEST(MicroMesh, KnowsTheParametersOfAHit) {
-  const MarkedScene scene(surface::makeSphere(20, 1.5, 1.5, 40, 40), randomRelief(48, 48, 0.3, 3),
-                          0.4);
+  const DividedScene scene(surface::makeSphere(20, 1.5, 1.5, 40, 40), randomRelief(48, 48, 0.3, 3),
+                           0.4);
   const surface::SampleGrid samples = samplesOfAllFaces(scene.surface, 3);
   for (const surface::SurfaceSample& sample : samples.samples) {
     const Facet facet = scene.mesh.facet(sample);
@@ -96,11 +90,38 @@ TEST(MicroMesh, KnowsTheParametersOfAHit) {
   }
 }
 
+TEST(CastShadows, AreDistantBeyondTheTablesRadius) {
+  const DividedScene scene(wallPlane(), wallRelief(), 0.25);
+  const double slope = std::tan(radians(20));
+  // A ray from the floor at x meets the wall's lee face, which falls from 6 at 31.5 to 0 at 32.5,
+  // or passes over it where the shadow has ended.
+  const auto reach = [slope](double x) { return x - (6 * 32.5 - x * slope) / (6 - slope); };
+  const double end = 31.5 + 6 / slope;
+  const surface::SampleGrid samples =
+      sampleLine(scene.surface, scene.relief, {32.6, 16}, {62.6, 16}, 300);
+  const Truth truth = scene.trace(samples, lightToward(180, 20), 10);
+  for (std::size_t i = 0; i < samples.samples.size(); ++i) {
+    const double x = 32.6 + 30 * (static_cast<double>(i) + 0.5) / 300;
+    if (std::abs(x - end) < 0.01 || std::abs(reach(x) - 10) < 0.01) continue;
+    const Region expected = x > end ? Region::lit : reach(x) > 10 ? Region::distant : Region::cast;
+    EXPECT_EQ(truth.regions[i], expected) << x;
+  }
+}
+
+TEST(CastShadows, AreNeverDistantWithinAnInfiniteRadius) {
+  const DividedScene scene(wallPlane(), wallRelief(), 0.25);
+  const surface::SampleGrid samples =
+      sampleLine(scene.surface, scene.relief, {32.6, 16}, {62.6, 16}, 300);
+  const Vec3 light = lightToward(180, 20);
+  const Truth truth = scene.trace(samples, light, std::numeric_limits<double>::infinity());
+  EXPECT_GT(count(truth, Region::cast), 100);
+  EXPECT_EQ(count(truth, Region::distant), 0);
+  EXPECT_EQ(truth.regions, scene.trace(samples, light, 1000).regions);
+}
+
 /// The path over a plane leads everywhere, also where two charts meet or the map is sheared.
 TEST(GlobalOccluder, AWallOnAPlaneIsNone) {
-  const MarkedScene scene(surface::makePlane(96, 32, 12, 4),
-                          stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; }),
-                          0.25);
+  const DividedScene scene(wallPlane(), wallRelief(), 0.25);
   const surface::SampleGrid samples =
       sampleLine(scene.surface, scene.relief, {1, 16}, {95, 16}, 400);
   for (const double azimuth : {180.0, 150.0, 0.0}) {
@@ -115,7 +136,7 @@ TEST(GlobalOccluder, AWallOnAPlaneIsNone) {
 }
 
 TEST(GlobalOccluder, ARoughPlaneHasNone) {
-  const MarkedScene scene(surface::makePlane(64, 64, 8, 8), randomRelief(64, 64, 5, 7), 0.25);
+  const DividedScene scene(surface::makePlane(64, 64, 8, 8), randomRelief(64, 64, 5, 7), 0.25);
   const Truth truth = scene.trace(samplesOfAllFaces(scene.surface, 8), lightToward(37, 15));
   EXPECT_GT(count(truth, Region::cast), 500);
   EXPECT_EQ(count(truth, Region::global), 0);
@@ -128,7 +149,7 @@ TEST(GlobalOccluder, AnotherPlateAboveIsOne) {
   surface::Cage upper = surface::makePlane(32, 32, 8, 8);
   for (Vec3& position : upper.positions) position.z = 12;
   add(plates, upper);
-  const MarkedScene scene(plates, flatRelief(64, 64), 0.5);
+  const DividedScene scene(plates, flatRelief(64, 64), 0.5);
   surface::SampleGrid samples = samplesOfAllFaces(scene.surface, 8);
   const Truth truth = scene.trace(samples, lightToward(0, 60));
   const double shift = 12 / std::tan(radians(60));
@@ -144,7 +165,7 @@ TEST(GlobalOccluder, AnotherPlateAboveIsOne) {
   EXPECT_TRUE(truth.casters.empty());
 
   // Told apart: the upper plate is the caster wherever there is one.
-  MarkedScene told(plates, flatRelief(64, 64), 0.5);
+  DividedScene told(plates, flatRelief(64, 64), 0.5);
   told.parts.assign(64, 7);
   told.parts.insert(told.parts.end(), 64, 3);
   const Truth same = told.trace(samples, lightToward(0, 60));
@@ -156,7 +177,7 @@ TEST(GlobalOccluder, AnotherPlateAboveIsOne) {
 
 /// Not on a ball with columns: each shades what lies on the path behind it.
 TEST(GlobalOccluder, ColumnsOnABallAreNone) {
-  const MarkedScene scene(
+  const DividedScene scene(
       surface::makeSphere(20, 2, 1.6, 40, 40),
       stepRelief(64, 64, 1.5, [](int i, int j) { return std::hypot(i % 16 - 8, j % 16 - 8) < 4; }),
       0.25);
@@ -170,7 +191,7 @@ TEST(GlobalOccluder, ColumnsOnABallAreNone) {
 /// 45°.
 TEST(GlobalOccluder, TheFarSideOfABowlIsOneBeyondAQuarterTurn) {
   surface::Cage ball = surface::makeSphere(-20, 2 * pi, 2.8, 60, 40);
-  const MarkedScene scene(ball, flatRelief(64, 64), 0.5);
+  const DividedScene scene(ball, flatRelief(64, 64), 0.5);
   const surface::SampleGrid samples = samplesOfAllFaces(scene.surface, 3);
   const Vec3 light = lightToward(0, 0);
   const Truth truth = scene.trace(samples, light);
@@ -195,7 +216,7 @@ TEST(GlobalOccluder, TheFarSideOfABowlIsOneBeyondAQuarterTurn) {
 /// shades is global, and nothing else is. With the light in the plane of the axis through λ = 0 and
 /// 30° up, a sample of the tube's inner side at λ = 0 sees the tube at λ = π.
 TEST(GlobalOccluder, TheOtherSideOfATorusIsOne) {
-  const MarkedScene scene(surface::makeTorus(30, 10, 66, 60), flatRelief(64, 64), 0.5);
+  const DividedScene scene(surface::makeTorus(30, 10, 66, 60), flatRelief(64, 64), 0.5);
   const double elevation = radians(5);
   const Vec3 light(0, std::sin(elevation), -std::cos(elevation));
   // In the plane x = 0: circles of radius 10 about z = 30 and z = -30; columns λ = 0 of the map.
