@@ -19,7 +19,6 @@
 
 #include "compare/boundaries.h"
 #include "compare/boundary_values.h"
-#include "compare/contour.h"
 #include "compare/masks.h"
 
 namespace gnomon::compare {
@@ -355,37 +354,6 @@ TEST(Boundaries, OfManyCandidatesAtOnceAreThoseOfEach) {
       for (std::size_t i = 0; i < alone.size(); ++i) {
         EXPECT_EQ(found[k][i].value, alone[i].value) << k << ' ' << alone[i].name;
         EXPECT_EQ(found[k][i].reason, alone[i].reason) << k << ' ' << alone[i].name;
-      }
-    }
-  }
-}
-
-/// Places near the contour and far from it, asked in turn; layouts with and without rounding.
-TEST(ContourDistances, AreToTheNearestSide) {
-  const Mask mask = drawn(80, 60, [](int x, int y) {
-    return (x - 20) * (x - 20) + (y - 15) * (y - 15) < 50 || (x == 70 && y > 50);
-  });
-  for (const SampleLayout& layout : {SampleLayout{}, SampleLayout{0.3, 0.7, 0, {}}}) {
-    const Contour contour = contourOf(mask, mask, layout);
-    ContourDistances distances(contour, layout, 0);
-    for (int row = 0; row < 119; ++row) {
-      distances.moveTo(row);
-      for (const int column : {40, 0, 158, 90, 44, 41}) {
-        double nearest = std::numeric_limits<double>::infinity();
-        for (std::size_t r = 0; r + 1 < contour.rowStarts.size(); ++r) {
-          for (std::size_t i = contour.rowStarts[r]; i < contour.rowStarts[r + 1]; ++i) {
-            nearest =
-                std::min(nearest, std::hypot((column - contour.columns[i]) * layout.columnStep / 2,
-                                             (row - static_cast<int>(r)) * layout.rowStep / 2));
-          }
-        }
-        const double nearby = distances.fromNearby(column);
-        if (nearest <= ContourDistances::nearby) {
-          EXPECT_NEAR(nearby, nearest, 1e-12);
-        } else {
-          EXPECT_GT(nearby, ContourDistances::nearby);
-        }
-        EXPECT_NEAR(distances.from(column), nearest, 1e-12) << row << ' ' << column;
       }
     }
   }

@@ -1,6 +1,6 @@
 #include "truth/region.h"
 
-#include <utility>
+#include <fmt/core.h>
 
 #include "common/error.h"
 
@@ -29,16 +29,20 @@ std::string_view regionName(Region region) {
 std::vector<std::string> partRegions(std::span<const std::string> partNames) {
   std::vector<std::string> names(partNames.begin(), partNames.end());
   for (const std::string& receiver : partNames) {
-    for (const std::string& caster : partNames) names.push_back(receiver + " shaded by " + caster);
+    for (const std::string& caster : partNames) {
+      names.push_back(fmt::format("{} shaded by {}", receiver, caster));
+    }
   }
   return names;
 }
 
 std::vector<std::string> allRegions(std::span<const std::string> partNames) {
+  const std::vector<std::string> ofParts = partRegions(partNames);
   std::vector<std::string> names;
+  names.reserve(reportedRegions.size() + 1 + ofParts.size());
   for (const Region region : reportedRegions) names.emplace_back(regionName(region));
   names.emplace_back(seamRegion);
-  for (std::string& name : partRegions(partNames)) names.push_back(std::move(name));
+  names.insert(names.end(), ofParts.begin(), ofParts.end());
   return names;
 }
 
