@@ -150,8 +150,7 @@ std::shared_ptr<const truth::SurfacePaths> surfacePaths(RunScene& scene) {
       [](const truth::SurfacePaths& paths) { return paths.byteCount(); });
 }
 
-/// With all their regions. Under some of the lights, together: they share the
-/// samples' places.
+/// With all their regions. Under some of the lights, together: they share the samples' places.
 std::vector<truth::Truth> traceWithRegions(RunScene& scene, const TracedSurface& surface,
                                            const BaseCase& base, std::size_t view,
                                            const std::vector<std::size_t>& which) {
