@@ -87,7 +87,7 @@ Mask truthOf(const StudySpec& study, double coarser = 1) {
   for (int i = 0; i < samples.width * samples.height; ++i) {
     samples.samples.push_back({i % surface.faceCount(), share(random), share(random)});
   }
-  auto settings = static_cast<const truth::MicroMeshSettings&>(study.truth);
+  truth::MicroMeshSettings settings = study.truth.ofMesh();
   settings.stepTexels = coarser * settings.stepTexels.value();
   const truth::MicroMesh mesh(surface, study.relief, settings);
   const truth::MicroScene scene(mesh);

@@ -336,7 +336,7 @@ ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, cons
 
 void traceUncertainty(RunScene& scene, TruthRecord& truth,
                       const std::function<void(const TracedSurface&)>& whileTraced) {
-  truth::MicroMeshSettings twice = static_cast<const truth::MicroMeshSettings&>(scene.study.truth);
+  truth::MicroMeshSettings twice = scene.study.truth.ofMesh();
   twice.stepTexels = 2 * truth.askedStepTexels;
   const cache::ContentKey key = cache::KeyBuilder("half the resolution")
                                     .add("surface", scene.keys.surface())

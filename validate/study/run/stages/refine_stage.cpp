@@ -64,7 +64,7 @@ class Refinement {
 
  private:
   std::unique_ptr<const TracedSurface> surfaceAt(double step) const {
-    truth::MicroMeshSettings settings = scene_.study.truth;
+    truth::MicroMeshSettings settings = scene_.study.truth.ofMesh();
     settings.stepTexels = step;
     if (!path_.empty() && 4 * static_cast<double>(path_.back().microTriangles) > mostTriangles) {
       throw InputError(
@@ -111,7 +111,7 @@ bool TruthSurface::findPath() {
 }
 
 std::shared_ptr<const TracedSurface> TruthSurface::make() {
-  truth::MicroMeshSettings settings = scene_.study.truth;
+  truth::MicroMeshSettings settings = scene_.study.truth.ofMesh();
   if (scene_.study.truth.uncertainty) {
     if (!findPath()) {
       RefinedSurface refined = Refinement(scene_).run();

@@ -13,6 +13,9 @@ struct TruthSpec : truth::MicroMeshSettings {
   std::optional<double> uncertainty;
   /// N: directions of equal solid angle toward the disc of a light that has one; even.
   int directions = 256;
+
+  /// The micro-mesh's settings alone.
+  [[nodiscard]] const truth::MicroMeshSettings& ofMesh() const { return *this; }
 };
 
 /// @param resample  as Relief::resample: the file counts texels of the map before it
