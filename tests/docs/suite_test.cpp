@@ -1,4 +1,10 @@
+#include <fmt/core.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <string>
 
 #include "docs/pages.h"
 #include "study/spec/suite/drawn_suite.h"
@@ -13,7 +19,7 @@ namespace {
 std::vector<std::string> cellsOf(const std::string& line) {
   std::vector<std::string> cells;
   std::size_t begin = 2;
-  for (std::size_t bar; (bar = line.find(" |", begin)) != std::string::npos; begin = bar + 3) {
+  for (std::size_t bar = 0; (bar = line.find(" |", begin)) != std::string::npos; begin = bar + 3) {
     cells.push_back(line.substr(begin, bar - begin));
   }
   return cells;
@@ -37,6 +43,25 @@ TEST(Suite, OfThePublicSeedsNeverChanges) {
     ++suites;
   }
   EXPECT_EQ(suites, 6U);
+}
+
+/// What the results say of the second seed is what `reproduce` has written.
+TEST(Suite, OfASecondSeedRanksAsItsFileSays) {
+  std::ifstream file(projectFolder() / "results/suite-1-second-seed/agreement.txt");
+  std::string said;
+  std::getline(file, said);
+  std::smatch of;
+  ASSERT_TRUE(std::regex_search(
+      said, of,
+      std::regex("τ-b ([0-9.]+) over (\\d+) methods; (\\d+) of (\\d)(\\d{3}) pairs in another "
+                 "order, 0 of them")));
+  std::string page;
+  for (const std::string& line : readPage(projectFolder() / "results/README.md").lines) {
+    page += line + " ";
+  }
+  EXPECT_THAT(page, ::testing::HasSubstr(fmt::format(
+                        "τ-b of the two is {} over {} methods, and of the {} of {},{} pairs",
+                        of.str(1), of.str(2), of.str(3), of.str(4), of.str(5))));
 }
 
 /// A control: one scene more, or one number of the file, is another suite.

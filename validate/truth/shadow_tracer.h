@@ -22,7 +22,8 @@ constexpr std::uint8_t noCaster = 255;
 struct Truth {
   /// Of a light with a disc, once `answerBy` has set it: where less than half of it is seen.
   Mask mask;
-  /// One a sample. Whatever an occluder shades is `cast` until `splitCastShadows` has asked which.
+  /// One a sample. `cast` is whatever an occluder shades this side of the terminator, until
+  /// `splitCastShadows` finds the regions `distant` and `global` among it.
   std::vector<Region> regions;
   std::size_t undefinedSamples = 0;  ///< samples without a frame: Shade::none in the mask
   /// One a sample, 1 where its path to the light crosses a texture seam; empty before
