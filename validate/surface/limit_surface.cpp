@@ -294,12 +294,20 @@ int LimitSurface::faceCount() const {
   return static_cast<int>(implementation_->corners.size());
 }
 
+int LimitSurface::facesPerCageFace() const {
+  return static_cast<int>(implementation_->facesPerPatch);
+}
+
 std::optional<GridChart> LimitSurface::grid() const {
   return implementation_->grid;
 }
 
 std::array<int, 4> LimitSurface::corners(int face) const {
   return implementation_->corners[implementation_->requireFace(face)];
+}
+
+std::array<Vec2, 4> LimitSurface::cornerUvs(int face) const {
+  return implementation_->uvs[implementation_->requireFace(face)];
 }
 
 int LimitSurface::vertexCount() const {

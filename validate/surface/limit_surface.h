@@ -55,12 +55,16 @@ class LimitSurface {
   LimitSurface& operator=(const LimitSurface&) = delete;
 
   [[nodiscard]] int faceCount() const;
+  /// How many faces a cage face counts as, one after the other: 1, or the 3 of a triangle.
+  [[nodiscard]] int facesPerCageFace() const;
   /// The regular grid that the faces form, if they form one.
   [[nodiscard]] std::optional<GridChart> grid() const;
   /// The vertices at (s, t) = (0,0), (1,0), (1,1), (0,1): faces that share two of them in opposite
   /// order share that edge. Those of the cage, and on a Loop cage also middles of sides and
   /// centroids, numbered after them.
   [[nodiscard]] std::array<int, 4> corners(int face) const;
+  /// The texture coordinates there.
+  [[nodiscard]] std::array<Vec2, 4> cornerUvs(int face) const;
   /// Number of vertices that `corners` refers to.
   [[nodiscard]] int vertexCount() const;
   /// Position and derivatives at (s, t) of a face. 0 ≤ s, t ≤ 1.
