@@ -42,7 +42,7 @@ TEST_F(NamesThatAreNoText, AreRunKeptAndRunAgain) {
                " --out out --baseline $'refs\\xe9' --update-baseline "
                "--reason x --junit out/j.xml",
            "gnomon export " + study + " --out out",
-           "gnomon view " + study + " --out out --screenshot $'out/\\xe9.png' --status out/s.json",
+           "gnomon view " + study + " --out out --screenshot $'out/\\xe9.png'",
        }) {
     const Outcome outcome = runShell(folder(), command);
     EXPECT_EQ(outcome.status, 0) << command << outcome.err;

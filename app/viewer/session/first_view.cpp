@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "common/error.h"
-#include "common/lists.h"
 
 namespace gnomon::app {
 namespace {
@@ -44,13 +43,6 @@ bool isControl(const study::StudySpec& study, const std::string& label) {
                      [&](const study::MethodSpec& method) {
                        return method.label == label && method.file.stem() == controlMethod;
                      });
-}
-
-bool has(const OpenedStudy& opened, const PaneContent& content) {
-  const auto isThere = [&](const PaneSource& source) {
-    return !source.isMethod() || contains(opened.labels, source.label);
-  };
-  return isThere(content.shown) && (!content.against || isThere(*content.against));
 }
 
 ViewPart partOf(const std::vector<double>& percent) {
@@ -98,22 +90,8 @@ ViewState firstView(const OpenedStudy& opened) {
     if (overlay == "pixel") state.overlays.pixel = true;
   }
   if (!request.rectangle.empty()) state.part = partOf(request.rectangle);
-  state.path = parsePath(request.lightPath, state.light, request.lightFrames);
   state.panel = request.panel;
   state.help = request.help;
-  return state;
-}
-
-ViewState nextView(const OpenedStudy& opened, const ViewState& before) {
-  ViewState state = firstView(opened);
-  for (std::size_t i = 0; i < state.panes.size(); ++i) {
-    if (has(opened, before.panes.at(i))) state.panes.at(i) = before.panes.at(i);
-  }
-  state.paneCount = before.paneCount;
-  state.wipe = before.wipe;
-  state.overlays = before.overlays;
-  state.panel = before.panel;
-  state.path.frames = before.path.frames;
   return state;
 }
 

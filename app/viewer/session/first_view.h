@@ -15,12 +15,7 @@ const std::string& firstMethod(const OpenedStudy& opened);
 /// first light, and the panes and overlays that are asked for; by default `firstMethod` beside the
 /// truth.
 /// @throws UsageError for contents that are none, or other than one, two or four of them; for a
-///   light path or a rectangle that is none
+///   rectangle that is none
 ViewState firstView(const OpenedStudy& opened);
-
-/// The view of a study that is opened after another one: panes, overlays and controls stay as they
-/// are where the study has the methods.
-/// @param before  the view of the other study
-ViewState nextView(const OpenedStudy& opened, const ViewState& before);
 
 }  // namespace gnomon::app

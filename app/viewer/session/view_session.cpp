@@ -34,22 +34,16 @@ std::function<void(const TruthRequest&, const TruthTracer::Worker::Job&)> truthW
 
 }  // namespace
 
-ViewSession::ViewSession(OpenedStudy opened, ViewState state, const std::function<void()>& wake)
-    : opened_(std::move(opened)),
+ViewSession::ViewSession(const cli::ViewRequest& request, const std::function<void()>& wake)
+    : opened_(openStudy(request)),
       shaders_(render::shaderFolder()),
-      state_(std::move(state)),
+      state_(firstView(opened_)),
       scene_(shaders_),
       pictures_(shaders_),
       watch_(shaders_),
       cameraMoved_(Clock::now() - std::chrono::hours(1)),
       baker_(sceneWork(opened_.request), wake),
       tracer_(truthWork(), wake) {}
-
-ViewSession::ViewSession(const cli::ViewRequest& request, const std::function<void()>& wake)
-    : ViewSession(openStudy(request), wake) {}
-
-ViewSession::ViewSession(const OpenedStudy& opened, const std::function<void()>& wake)
-    : ViewSession(opened, firstView(opened), wake) {}
 
 void ViewSession::resetView() {
   const ViewState first = firstView(opened_);

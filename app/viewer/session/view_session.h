@@ -28,14 +28,8 @@ struct SceneResult {
 /// missing, takes what it has made, and draws. Made and used by the thread that has the context.
 class ViewSession {
  public:
-  /// Waits for nothing.
-  /// @param state  what to begin with
-  /// @param wake   called from other threads when there is something new
-  ViewSession(OpenedStudy opened, ViewState state, const std::function<void()>& wake);
-  /// Begins with the study's first view.
-  /// @throws UsageError as firstView
-  ViewSession(const OpenedStudy& opened, const std::function<void()>& wake);
-  /// Reads the study, and begins with its first view.
+  /// Reads the study, and begins with its first view; waits for nothing else.
+  /// @param wake  called from other threads when there is something new
   /// @throws InputError as readStudy, UsageError as firstView
   ViewSession(const cli::ViewRequest& request, const std::function<void()>& wake);
 

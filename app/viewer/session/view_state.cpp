@@ -55,29 +55,6 @@ bool sameCamera(const Camera& a, const Camera& b) {
          a.height == b.height && a.verticalFov == b.verticalFov;
 }
 
-bool operator==(const ViewChoice& a, const ViewChoice& b) {
-  Camera camera = a.camera;
-  camera.width = b.camera.width;
-  camera.height = b.camera.height;
-  return sameCamera(camera, b.camera) && a.light == b.light && a.paneCount == b.paneCount &&
-         a.panes == b.panes && a.changes == b.changes;
-}
-
-ViewChoice choiceOf(const ViewState& state) {
-  return {state.camera, state.light, state.paneCount, state.panes, state.changes};
-}
-
-void restore(const ViewChoice& choice, ViewState& state) {
-  const auto [width, height] = std::pair(state.camera.width, state.camera.height);
-  state.camera = choice.camera;
-  state.camera.width = width;
-  state.camera.height = height;
-  state.light = choice.light;
-  state.paneCount = choice.paneCount;
-  state.panes = choice.panes;
-  state.changes = choice.changes;
-}
-
 std::vector<std::string> shownMethods(const ViewState& state) {
   std::vector<std::string> labels;
   for (int i = 0; i < state.paneCount; ++i) {

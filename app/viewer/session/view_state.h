@@ -8,7 +8,6 @@
 
 #include "common/camera.h"
 #include "model/light_angles.h"
-#include "model/light_path.h"
 #include "model/saved_study.h"
 #include "model/view_part.h"
 
@@ -74,25 +73,9 @@ struct ViewState {
   Overlays overlays;
   StudyChanges changes;          ///< what the sliders have made of the study
   std::optional<ViewPart> part;  ///< the rectangle whose error is told
-  LightPath path;                ///< of the light, to be played and recorded
   bool panel = true;             ///< the controls are shown
   bool help = false;
 };
-
-/// What a person can take back: the light, the camera, the panes and what sliders changed.
-struct ViewChoice {
-  Camera camera;  ///< its width and height, which follow the window, do not count
-  LightAngles light;
-  int paneCount = 1;
-  std::array<PaneContent, 4> panes;
-  StudyChanges changes;
-  friend bool operator==(const ViewChoice& a, const ViewChoice& b);
-};
-
-ViewChoice choiceOf(const ViewState& state);
-
-/// Takes a choice back into a state, whose panes keep their size.
-void restore(const ViewChoice& choice, ViewState& state);
 
 bool sameCamera(const Camera& a, const Camera& b);
 

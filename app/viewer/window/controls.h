@@ -1,42 +1,52 @@
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <string>
-#include <vector>
 
 #include "viewer/panes/layout.h"
 #include "viewer/session/view_session.h"
-#include "viewer/window/actions.h"
-#include "viewer/window/control_widgets.h"
-#include "viewer/window/frame_log.h"
-#include "viewer/window/light_controls.h"
 
 namespace gnomon::app {
 
-/// What the panel shows that is no part of the session.
-struct PanelFacts {
-  const FrameLog& frames;
-  std::vector<std::filesystem::path> studies = {};  ///< to choose from, the open one among them
-  std::string opening = {};                         ///< that is being read; empty for none
-  bool asksForPath = false;  ///< the field for a study's path gets the keyboard
-  bool canUndo = false, canRedo = false;
-  PathStatus path = {};
+/// What a person asks for by keys and buttons, beside changes of the state.
+struct Actions {
+  bool saveStudy = false;
+  bool savePicture = false;
+  bool saveMasks = false;
+  bool close = false;
+
+  Actions& operator+=(const Actions& other) {
+    saveStudy = saveStudy || other.saveStudy;
+    savePicture = savePicture || other.savePicture;
+    saveMasks = saveMasks || other.saveMasks;
+    close = close || other.close;
+    return *this;
+  }
+};
+
+/// How long frames take, from the moment that input is read until the picture is handed over.
+class FrameLog {
+ public:
+  void begin() { begin_ = Clock::now(); }
+  /// @param drawn  whether the frame drew a pane anew: those that did not do not count
+  void end(bool drawn);
+
+  [[nodiscard]] double lastMilliseconds() const { return last_; }
+  [[nodiscard]] double longestMilliseconds() const { return longest_; }
+  /// "frames: 120 drawn, mean 21.3 ms (47 a second), longest of all 80.2 ms".
+  [[nodiscard]] std::string text() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point begin_ = Clock::now();
+  double last_ = 0;
+  double longest_ = 0;
+  double total_ = 0;
+  std::size_t count_ = 0;
 };
 
 /// The panel beside the pictures. Changes the session's state, never anything else.
-class ControlPanel {
- public:
-  Actions draw(ViewSession& session, const PaneRectangle& place, const PanelFacts& facts);
-
-  [[nodiscard]] const ControlPlaces& places() const { return widgets_.places(); }
-
- private:
-  Actions study(const ViewSession& session, const PanelFacts& facts);
-  Actions steps(const PanelFacts& facts);
-  Actions saving();
-  void truth(const ViewSession& session);
-
-  ControlWidgets widgets_;
-  std::string path_;  ///< as it stands in the field
-};
+Actions drawControls(ViewSession& session, const PaneRectangle& place, const FrameLog& frames);
 
 }  // namespace gnomon::app

@@ -17,7 +17,7 @@ namespace {
 
 /// Keys and what they do.
 using KeyHelp = std::pair<std::string_view, std::string_view>;
-constexpr std::array<KeyHelp, 25> keyHelp = {{
+constexpr std::array<KeyHelp, 22> keyHelp = {{
     {"drag", "turn the surface"},
     {"right drag", "move the surface"},
     {"scroll, + \u2212", "nearer, farther"},
@@ -34,10 +34,7 @@ constexpr std::array<KeyHelp, 25> keyHelp = {{
     {"V", "lines along which the surface bends most and least"},
     {"X", "cross-section through the pixel under the cursor"},
     {"I", "what every method says of that pixel, and why it is lit or not"},
-    {"Space", "play the light path, or stop"},
-    {"Ctrl Z, Ctrl Y", "undo, redo"},
     {"R", "back to the study's own camera and light"},
-    {"O", "open another study"},
     {"S P M", "save a study of this view, a picture, the masks"},
     {"Tab", "controls, on and off"},
     {"Escape", "close what is open; then remove the rectangle"},
@@ -135,12 +132,7 @@ Actions Input::press(ViewSession& session, std::span<const int> keys) {
   ViewState& state = session.state();
   PaneContent& content = state.panes.at(static_cast<std::size_t>(activePane_));
   Actions actions;
-  if (ImGui::GetIO().KeyCtrl) {
-    const bool isShifted = ImGui::GetIO().KeyShift;
-    actions.undo = pressed(GLFW_KEY_Z) && !isShifted;
-    actions.redo = pressed(GLFW_KEY_Y) || (pressed(GLFW_KEY_Z) && isShifted);
-    return actions;
-  }
+  if (ImGui::GetIO().KeyCtrl) return actions;
   if (typed('?')) state.help = !state.help;
   if (pressed(GLFW_KEY_ESCAPE)) {
     if (!state.help) state.part.reset();
@@ -176,8 +168,6 @@ Actions Input::press(ViewSession& session, std::span<const int> keys) {
   actions.saveStudy = pressed(GLFW_KEY_S);
   actions.savePicture = pressed(GLFW_KEY_P);
   actions.saveMasks = pressed(GLFW_KEY_M);
-  actions.play = pressed(GLFW_KEY_SPACE);
-  actions.askForStudy = pressed(GLFW_KEY_O);
   actions.close = pressed(GLFW_KEY_Q);
   return actions;
 }
@@ -192,7 +182,7 @@ Actions Input::apply(ViewSession& session, const WindowLayout& layout, std::span
   if (io.MouseWheel != 0 && under >= 0 && !io.WantCaptureMouse) {
     state.camera = zoomedBy(state.camera, io.MouseWheel);
   }
-  // What is typed into a field, and what closes a list, is no key of the viewer.
+  // What is typed into a slider, and what closes a list, is no key of the viewer.
   const bool isTaken = io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   return isTaken ? Actions{} : press(session, keys);
 }

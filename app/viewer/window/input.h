@@ -4,7 +4,7 @@
 
 #include "viewer/panes/layout.h"
 #include "viewer/session/view_session.h"
-#include "viewer/window/actions.h"
+#include "viewer/window/controls.h"
 
 namespace gnomon::app {
 
@@ -16,8 +16,6 @@ class Input {
   /// @param keys    that went down, as GLFW numbers them
   Actions apply(ViewSession& session, const WindowLayout& layout, std::span<const int> keys);
 
-  /// A button is down that began something in the pictures.
-  [[nodiscard]] bool isDragging() const { return drag_ != Drag::none; }
   /// The pane that keys speak of: the one under the cursor last.
   [[nodiscard]] int activePane() const { return activePane_; }
 

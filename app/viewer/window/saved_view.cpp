@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <nlohmann/json.hpp>
+
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
@@ -9,12 +11,14 @@
 #include "image/images.h"
 #include "image/share_picture.h"
 #include "model/saved_study.h"
+#include "report/json/json_values.h"
 #include "study/spec/file_names.h"
-#include "viewer/window/status_file.h"
 
 namespace gnomon::app {
 namespace fs = std::filesystem;
 namespace {
+
+using nlohmann::json;
 
 constexpr int mostViews = 100000;
 
@@ -31,10 +35,65 @@ fs::path freePath(const ViewSession& session, const std::string& stem, const std
   throw InputError(fmt::format("{}: no free name for another view", folder.string()));
 }
 
+json valueOf(const compare::Metric& metric) {
+  return metric.value ? json(*metric.value) : json(nullptr);
+}
+
+json figuresOf(const PaneFigures& figures) {
+  return {{"error_rate", valueOf(figures.errorRate)},
+          {"false_shadow", valueOf(figures.falseShadow)},
+          {"false_light", valueOf(figures.falseLight)},
+          {"iou", valueOf(figures.iou)}};
+}
+
+json paneOf(const ViewSession& session, std::size_t index) {
+  const PanePicture& picture = session.pane(index);
+  json pane = {{"shows", contentText(session.state().panes.at(index))},
+               {"note", picture.note},
+               {"traced_share", session.tracedShare(index)}};
+  if (const auto& figures = picture.figures) pane.update(figuresOf(*figures));
+  if (const auto& figures = picture.partFigures) {
+    pane["rectangle"] = figuresOf(*figures);
+    pane["rectangle"]["samples"] = figures->samples;
+    pane["rectangle"]["wrong"] = figures->wrong;
+    pane["rectangle"]["traced_share"] = figures->tracedShare;
+  }
+  return pane;
+}
+
+json rectangleOf(const std::optional<ViewPart>& part) {
+  return part ? json{part->left, part->top, part->right, part->bottom} : json(nullptr);
+}
+
 }  // namespace
 
-fs::path freeRecordingFolder(const ViewSession& session) {
-  return freePath(session, "path", "");
+std::string screenJson(const ViewSession& session) {
+  const ViewState& state = session.state();
+  json panes = json::array();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(state.paneCount); ++i) {
+    panes.push_back(paneOf(session, i));
+  }
+  const Vec3& eye = state.camera.eye;
+  return report::jsonText({{"complete", session.isComplete()},
+                           {"panes", panes},
+                           {"wipe", state.wipe},
+                           {"rectangle", rectangleOf(state.part)},
+                           {"light",
+                            {{"azimuth", state.light.azimuth},
+                             {"elevation", state.light.elevation},
+                             {"radius", state.light.radius}}},
+                           {"camera",
+                            {{"eye", {eye.x, eye.y, eye.z}},
+                             {"width", state.camera.width},
+                             {"height", state.camera.height}}},
+                           {"overlays",
+                            {{"curvature", state.overlays.curvature},
+                             {"directions", state.overlays.directions},
+                             {"section", state.overlays.section},
+                             {"pixel", state.overlays.pixel}}},
+                           {"panel", state.panel},
+                           {"help", state.help},
+                           {"errors", session.errors()}});
 }
 
 std::string saveStudyView(const ViewSession& session) {

@@ -22,7 +22,7 @@ std::string savePicture(const ViewSession& session, const image::Image& picture)
 /// The masks of the panes that show one; maps of shares where the light has a disc.
 std::string saveMasks(ViewSession& session);
 
-/// The folder of a new recording: `path-N`.
-std::filesystem::path freeRecordingFolder(const ViewSession& session);
+/// What is on the screen, as JSON: the panes with their figures, light, camera and overlays.
+std::string screenJson(const ViewSession& session);
 
 }  // namespace gnomon::app

@@ -68,24 +68,39 @@ VirtualDisplay::~VirtualDisplay() {
 DrivenViewer::DrivenViewer(const VirtualDisplay& display, fs::path folder,
                            std::vector<std::string> arguments, std::vector<std::string> environment)
     : display_(display.name()), folder_(std::move(folder)) {
-  std::vector<std::string> words = {GNOMON_PROGRAM, "view", "--status", "status.json"};
+  std::vector<std::string> words = {GNOMON_PROGRAM, "view"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::error_code ignored;
-  fs::remove(folder_ / "status.json", ignored);
   environment.push_back("DISPLAY=" + display_);
   process_ = start(words, folder_ / "viewer.log", [&] {
     if (chdir(folder_.c_str()) != 0) _exit(127);
     for (std::string& variable : environment) putenv(variable.data());
   });
+  // Keys that are pressed before the window is there are lost.
+  (void)std::system(fmt::format("DISPLAY={} timeout 60 xdotool search --sync --onlyvisible --name "
+                                "Gnomon >/dev/null 2>&1",
+                                display_)
+                        .c_str());
 }
 
 DrivenViewer::~DrivenViewer() {
   endProcess(process_);
 }
 
+int DrivenViewer::lastSaved() const {
+  int number = 0;
+  while (fs::exists(folder_ / fmt::format("out/ball/view/view-{}.json", number + 1))) ++number;
+  return number;
+}
+
 nlohmann::json DrivenViewer::status() const {
-  std::ifstream file(folder_ / "status.json");
-  return nlohmann::json::parse(file, nullptr, false);
+  const int before = lastSaved();
+  const auto end = Clock::now() + std::chrono::seconds(20);
+  key("s");
+  while (lastSaved() == before && Clock::now() < end) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  std::ifstream file(folder_ / fmt::format("out/ball/view/view-{}.json", lastSaved()));
+  return lastSaved() == before ? nlohmann::json() : nlohmann::json::parse(file, nullptr, false);
 }
 
 bool DrivenViewer::waitFor(const std::function<bool(const nlohmann::json&)>& condition,
@@ -114,10 +129,6 @@ void DrivenViewer::tool(const std::string& arguments) const {
 void DrivenViewer::key(const std::string& name) const {
   tool("keydown " + name);
   tool("keyup " + name);
-}
-
-void DrivenViewer::type(const std::string& text) const {
-  tool("type --delay 60 " + text);
 }
 
 void DrivenViewer::keyDown(const std::string& name) const {
@@ -150,24 +161,6 @@ void DrivenViewer::drag(int x0, int y0, int x1, int y1) const {
 
 void DrivenViewer::scroll(int steps) const {
   for (int i = 0; i < std::abs(steps); ++i) tool(steps > 0 ? "click 4" : "click 5");
-}
-
-std::vector<int> DrivenViewer::control(const std::string& name) const {
-  return status().at("controls").at(name).get<std::vector<int>>();
-}
-
-void DrivenViewer::clickControl(const std::string& name, double share) const {
-  const auto place = control(name);
-  click(static_cast<int>(place[0] + share * (place[2] - place[0])), (place[1] + place[3]) / 2);
-}
-
-void DrivenViewer::dragControl(const std::string& name, double from, double to) const {
-  const auto place = control(name);
-  const int y = (place[1] + place[3]) / 2;
-  const auto at = [&](double share) {
-    return static_cast<int>(place[0] + share * (place[2] - place[0]));
-  };
-  drag(at(from), y, at(to), y);
 }
 
 int DrivenViewer::waitForEnd(double seconds) {

@@ -36,8 +36,10 @@ class DrivenViewer {
   DrivenViewer& operator=(const DrivenViewer&) = delete;
   ~DrivenViewer();
 
-  /// What the program says is on its screen.
+  /// What the program says is on its screen: the JSON file beside the study that the key S saves.
   [[nodiscard]] nlohmann::json status() const;
+  /// N of the last study that it saved, `out/ball/view/view-N`; 0 for none.
+  [[nodiscard]] int lastSaved() const;
   /// Waits until the status is as asked; false after so long.
   bool waitFor(const std::function<bool(const nlohmann::json&)>& condition,
                double seconds = 60) const;
@@ -50,15 +52,8 @@ class DrivenViewer {
   /// Presses the left button at one place and lets it go at another, some places between.
   void drag(int x0, int y0, int x1, int y1) const;
   void scroll(int steps) const;
-  /// Types letters, digits, points and hyphens.
-  void type(const std::string& text) const;
   void keyDown(const std::string& name) const;
   void keyUp(const std::string& name) const;
-  /// Clicks on a control at a share of its width.
-  void clickControl(const std::string& name, double share = 0.5) const;
-  /// Drags a slider from one share of its width to another.
-  void dragControl(const std::string& name, double from, double to) const;
-
   /// Waits for the program's end. @return its exit status, 128 + the signal's number; -1 after so
   /// long
   int waitForEnd(double seconds = 60);
@@ -66,7 +61,6 @@ class DrivenViewer {
 
  private:
   void tool(const std::string& arguments) const;
-  [[nodiscard]] std::vector<int> control(const std::string& name) const;
 
   std::string display_;
   std::filesystem::path folder_;

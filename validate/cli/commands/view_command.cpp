@@ -14,7 +14,6 @@ displaced, or a difference such as onoue-2004:truth.
 
 Examples:
   gnomon view scenes/figure8.toml
-  gnomon view scenes/figure8.toml scenes/torus.toml
   gnomon view scenes/figure8.toml --show onoue-2004 --show onoue-2004:truth
   gnomon view scenes/figure8.toml --show max-forsyth --show onoue-2004 --show displaced --show truth
   gnomon view scenes/figure8.toml --overlay section --cursor 420,330 --screenshot view.png
@@ -28,8 +27,6 @@ CLI::App* addViewCommand(CLI::App& app, ViewRequest& request) {
   CLI::App* view =
       app.add_subcommand("view", "Open a window with methods, truth and their difference");
   view->add_option("STUDY", request.study, "Study file")->required()->type_name("FILE");
-  view->add_option("OTHER", request.others, "More studies to choose from in the window")
-      ->type_name("FILE");
   view->add_option("--out", request.out, "Folder for saved files")
       ->capture_default_str()
       ->type_name("DIR");
@@ -63,29 +60,29 @@ CLI::App* addViewCommand(CLI::App& app, ViewRequest& request) {
       ->delimiter(',')
       ->expected(4)
       ->type_name("L,T,R,B");
+  CLI::Option* record =
+      view->add_option("--record", request.record,
+                       "Record the panes along the light path into a new folder without a display, "
+                       "each picture with the complete truth, and a film where ffmpeg is "
+                       "installed, and exit")
+          ->type_name("DIR");
   constexpr int mostFrames = 9999;
   view->add_option("--light-path", request.lightPath,
-                   "Path of the light to play and record: around, or azimuth and elevation of its "
-                   "start and its end, degrees")
+                   "Path of the light to record: around, or azimuth and elevation of its start and "
+                   "its end, degrees")
+      ->needs(record)
       ->capture_default_str()
       ->type_name("PATH");
   view->add_option("--light-frames", request.lightFrames, "Pictures along that path")
+      ->needs(record)
       ->capture_default_str()
       ->check(CLI::Range(1, mostFrames))
       ->type_name("N");
-  view->add_option(
-          "--record", request.record,
-          "Record the panes along the light path into a new folder without a display, "
-          "each picture with the complete truth, and a film where ffmpeg is installed, and exit")
-      ->type_name("DIR");
   view->add_option("--cursor", request.cursor, "Position of the cursor in a screenshot, pixels")
       ->delimiter(',')
       ->expected(2)
       ->type_name("X,Y");
   view->add_flag("--frames", request.frames, "Print the frame times at the end");
-  view->add_option("--status", request.status,
-                   "Keep a JSON file with the state of the window, for scripts that control it")
-      ->type_name("FILE");
   view->footer(viewExamples);
   return view;
 }

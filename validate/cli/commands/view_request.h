@@ -15,10 +15,9 @@ namespace gnomon::cli {
 /// What `gnomon view` was asked for.
 struct ViewRequest {
   std::filesystem::path study;
-  std::vector<std::filesystem::path> others;  ///< further studies to choose from in the window
-  study::StudyOptions options;                ///< of all of them
-  std::filesystem::path out = "out";          ///< what is saved goes to `out/NAME/view`
-  int width = 1280;                           ///< of the window, pixels
+  study::StudyOptions options;
+  std::filesystem::path out = "out";  ///< what is saved goes to `out/NAME/view`
+  int width = 1280;                   ///< of the window, pixels
   int height = 720;
   /// What the panes show, "onoue-2004", "truth", "displaced" or "onoue-2004:truth": one, two or
   /// four; empty for the study's first method beside the truth.
@@ -30,8 +29,8 @@ struct ViewRequest {
   /// Left, top, right and bottom of the rectangle whose error is told, percent of the picture;
   /// empty for none.
   std::vector<double> rectangle;
-  /// The path of the light: "around" from the first light, or azimuth and elevation of its start
-  /// and its end, degrees, "165,24,20,60".
+  /// The path of the light to record: "around" from the first light, or azimuth and elevation of
+  /// its start and its end, degrees, "165,24,20,60".
   std::string lightPath = "around";
   int lightFrames = 48;  ///< of that path
   /// Records the path into this new folder without a display, the truth of every frame whole, and
@@ -40,9 +39,6 @@ struct ViewRequest {
   /// Renders the window's content without a display once the truth is whole, and leaves.
   std::optional<std::filesystem::path> screenshot;
   bool frames = false;  ///< print the times of frames at the end
-  /// A JSON file that always says what is on the screen and where the controls are, for scripts
-  /// that drive the window.
-  std::optional<std::filesystem::path> status;
   /// Tries a method in a process of its own before it is compiled, each time that its file is
   /// another; throws InputError for one that may not be.
   study::MethodTrial tryMethod;

@@ -55,39 +55,15 @@ TEST_F(FirstView, PassesOverTheControlWhereThereIsAnotherMethod) {
   EXPECT_GT(alone.labels.size(), 10U);
 }
 
-TEST_F(FirstView, TakesRectangleAndPathFromTheOptions) {
+TEST_F(FirstView, TakesTheRectangleFromTheOptions) {
   cli::ViewRequest asked = request();
   asked.rectangle = {25, 20, 75, 70};
-  asked.lightPath = "10,20,30,40";
-  asked.lightFrames = 7;
-  const ViewState state = firstView(openStudy(asked));
-  EXPECT_EQ(state.part, (ViewPart{0.25, 0.2, 0.75, 0.7}));
-  EXPECT_EQ(state.path, (LightPath{10, 20, 30, 40, 7}));
-  EXPECT_EQ(firstView(openStudy(request())).path, turnFrom({0, 30, 0}, 48));
+  EXPECT_EQ(firstView(openStudy(asked)).part, (ViewPart{0.25, 0.2, 0.75, 0.7}));
   for (const std::vector<double>& wrong :
        {std::vector<double>{75, 20, 25, 70}, {0, 0, 101, 50}, {-1, 0, 50, 50}, {0, 0, 0, 50}}) {
     asked.rectangle = wrong;
     EXPECT_THROW((void)firstView(openStudy(asked)), UsageError);
   }
-}
-
-TEST_F(FirstView, OfAnotherStudyKeepsThePanesThatItCanShow) {
-  ViewState before = firstView(openStudy(request()));
-  before.panes = {PaneContent{methodSource("mine")}, PaneContent{methodSource("ellipse")},
-                  PaneContent{tracedTruth}, PaneContent{methodSource("onoue-2004"), tracedTruth}};
-  before.paneCount = 4;
-  before.overlays.pixel = true;
-  before.camera.eye.x = 77;
-  before.light.elevation = 3;
-  before.changes.height = 9;
-  before.part = ViewPart{};
-  const ViewState state = nextView(openStudy(request()), before);
-  EXPECT_EQ(shown(state), (Contents{"max-forsyth", "ellipse", "truth", "onoue-2004:truth"}));
-  EXPECT_TRUE(state.overlays.pixel);
-  EXPECT_EQ(state.camera.eye.x, 0);
-  EXPECT_EQ(state.light.elevation, 30);
-  EXPECT_FALSE(state.changes.height);
-  EXPECT_FALSE(state.part);
 }
 
 }  // namespace

@@ -22,7 +22,6 @@
 #include "truth/cast_shadows.h"
 #include "viewer/session/pixel_probe.h"
 #include "viewer/window/saved_view.h"
-#include "viewer/window/status_file.h"
 
 namespace gnomon::app {
 namespace {

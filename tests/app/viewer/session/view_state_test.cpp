@@ -54,43 +54,5 @@ TEST(ViewState, MethodsOfHiddenPanesAreNotShown) {
   EXPECT_EQ(shownMethods(state), (Labels{"onoue-2004", "max-forsyth", "mine: 8 bits"}));
 }
 
-TEST(ViewChoice, HoldsWhatAPersonTakesBackAndNothingElse) {
-  ViewState state;
-  state.panes = {PaneContent{onoue}, PaneContent{tracedTruth}, PaneContent{flat},
-                 PaneContent{displacedSurface}};
-  const ViewChoice first = choiceOf(state);
-  const std::vector<void (*)(ViewState&)> changes = {
-      [](ViewState& now) { now.camera.eye.x += 1; },
-      [](ViewState& now) { now.light.elevation = 12; },
-      [](ViewState& now) { now.light.radius = 3; },
-      [](ViewState& now) { now.paneCount = 4; },
-      [](ViewState& now) {
-        now.panes[1] = {flat, onoue};
-      },
-      [](ViewState& now) { now.changes.height = 3; },
-      [](ViewState& now) { now.changes.bake.azimuths = 16; },
-      [](ViewState& now) { now.changes.methods["onoue-2004"].parameters["steps"] = 3; }};
-  for (const auto& change : changes) {
-    ViewState changed = state;
-    change(changed);
-    const ViewChoice choice = choiceOf(changed);
-    EXPECT_FALSE(choice == first);
-    // A window that has grown meanwhile keeps its size.
-    changed.camera.width = 999;
-    restore(first, changed);
-    EXPECT_TRUE(choiceOf(changed) == first);
-    EXPECT_EQ(changed.camera.width, 999);
-    restore(choice, changed);
-    EXPECT_TRUE(choiceOf(changed) == choice);
-  }
-  ViewState same = state;
-  same.camera.height = 7;
-  same.wipe = 0.2;
-  same.overlays.pixel = true;
-  same.panel = false;
-  same.part = ViewPart{};
-  EXPECT_TRUE(choiceOf(same) == first);
-}
-
 }  // namespace
 }  // namespace gnomon::app

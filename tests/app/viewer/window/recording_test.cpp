@@ -3,20 +3,20 @@
 
 #include "app/viewer/viewer_window.h"
 
-// A light path, played in the window and recorded with it and without.
+// A light path, recorded without a window.
 
 namespace gnomon::test {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-class Recording : public ViewerWindow {
+class Recording : public EndToEnd {
  protected:
   void SetUp() override {
-    ViewerWindow::SetUp();
+    EndToEnd::SetUp();
+    write("ball.toml", ballStudy());
     fs::create_directory(folder() / "bin");
   }
   /// A program in place of ffmpeg, the only one on the PATH.
@@ -81,46 +81,10 @@ TEST_F(Recording, KeepsItsPicturesWhereThereIsNoFilm) {
   const Outcome wrong = gnomon({"view", "ball.toml", "--light-path", "1,2,3", "--record", "none"});
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.err, HasSubstr("--light-path 1,2,3"));
+  EXPECT_EQ(gnomon({"view", "ball.toml", "--light-path", "around", "--screenshot", "x.png"}).status,
+            2)
+      << "a path that nothing records";
   EXPECT_FALSE(fs::exists(folder() / "none"));
-}
-
-TEST_F(Recording, IsMadeAndPlayedInTheWindow) {
-  installFfmpeg("exit 1\n");
-  DrivenViewer viewer = open(
-      {"--width", "700", "--height", "700", "--light-path", "20,30,60,50", "--light-frames", "3"},
-      {path()});
-  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
-  const json before = viewer.status();
-  viewer.clickControl("path");
-  ASSERT_TRUE(
-      viewer.waitFor([](const json& now) { return now.at("controls").contains("path.record"); }));
-  viewer.clickControl("path.record");
-  EXPECT_TRUE(viewer.waitFor([](const json& now) {
-    return now.at("notice").at("text").get<std::string>().starts_with(
-        "saved 3 pictures in out/ball/view/path-1; no film: ffmpeg: ");
-  })) << viewer.status().dump(2);
-  EXPECT_THAT(filesBelow("out/ball/view/path-1"),
-              ElementsAre("frame-0001.png", "frame-0002.png", "frame-0003.png"));
-  EXPECT_GT(differingPixels(folder() / "out/ball/view/path-1/frame-0001.png",
-                            folder() / "out/ball/view/path-1/frame-0003.png"),
-            1000U);
-  EXPECT_TRUE(viewer.waitFor([&](const json& now) {
-    return now.at("light") == before.at("light") && now.at("complete").get<bool>();
-  })) << "the light is where it was";
-  EXPECT_FALSE(viewer.status().at("can_undo").get<bool>()) << "a recording is no change";
-
-  // Played, the light ends where the path ends: one step.
-  viewer.moveTo(100, 650);
-  viewer.key("space");
-  EXPECT_TRUE(viewer.waitFor([](const json& now) {
-    return !now.at("playing").get<bool>() && now.at("light").at("azimuth") == 60 &&
-           now.at("light").at("elevation") == 50 && now.at("can_undo").get<bool>();
-  })) << viewer.status().dump(2);
-  viewer.clickControl("undo");
-  EXPECT_TRUE(
-      viewer.waitFor([&](const json& now) { return now.at("light") == before.at("light"); }));
-  viewer.key("q");
-  EXPECT_EQ(viewer.waitForEnd(), 0) << viewer.output();
 }
 
 }  // namespace
