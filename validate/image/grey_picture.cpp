@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "common/system/memory.h"
 #include "image/image_file.h"
 
 namespace gnomon::image {
@@ -33,6 +32,7 @@ Choice chosen(ImageFacts facts, std::vector<int> colours, int alpha) {
   return {std::move(facts), std::move(colours), alpha, first, count};
 }
 
+/// Goes to the first part with a channel of this name.
 Choice namedChannel(ImageFile& image, const std::string& channel) {
   std::vector<std::string> found;
   for (int part = 0; image.goTo(part); ++part) {
@@ -44,7 +44,15 @@ Choice namedChannel(ImageFile& image, const std::string& channel) {
   image.refuse(fmt::format("no channel \"{}\", it has {}", channel, fmt::join(found, ", ")));
 }
 
-Choice onlyChannel(const ImageFile& image, const ImageFacts& facts) {
+Choice numberedChannel(const ImageFile& image, int index) {
+  const ImageFacts facts = image.facts();
+  if (index >= 0 && index < facts.channelCount()) return chosen(facts, {index}, -1);
+  image.refuse(
+      fmt::format("no channel {}, the image has 0 to {}", index, facts.channelCount() - 1));
+}
+
+Choice onlyChannel(const ImageFile& image) {
+  const ImageFacts facts = image.facts();
   std::vector<int> colours;
   for (int c = 0; c < facts.channelCount(); ++c) {
     if (c != facts.alpha && c != facts.z) colours.push_back(c);
@@ -57,20 +65,6 @@ Choice onlyChannel(const ImageFile& image, const ImageFacts& facts) {
                   fmt::join(facts.channels, ", ")));
 }
 
-void requireUpright(const ImageFile& image, const ImageFacts& facts) {
-  if (facts.orientation != 1) {
-    image.refuse(fmt::format("its Orientation is {}, upright pixels (1) expected: turn the picture",
-                             facts.orientation));
-  }
-}
-
-/// Integers of 32 bits are counts or flags, not shares of their largest value.
-bool isPlainInteger(const Choice& choice) {
-  const std::string& type =
-      choice.facts.channelNumbers[static_cast<std::size_t>(choice.colours.front())];
-  return type == "uint" || type == "int";
-}
-
 int integerBits(const Choice& choice) {
   const std::string& type =
       choice.facts.channelNumbers[static_cast<std::size_t>(choice.colours.front())];
@@ -78,114 +72,84 @@ int integerBits(const Choice& choice) {
   return type == "uint16" || type == "int16" ? 16 : 0;
 }
 
-/// The data's, where the file has none.
-const ImageWindow& displayWindow(const ImageFacts& facts) {
-  const bool has = facts.display.width >= 1 && facts.display.height >= 1;
-  return has ? facts.display : facts.data;
-}
-
-/// One pixel of the channels chosen.
-class PixelReader {
- public:
-  PixelReader(const ImageFile& image, const Choice& choice)
-      : image_(image), choice_(choice), associated_(!choice.facts.hasPlainAlpha) {}
-
-  [[nodiscard]] float alpha(const float* pixel) const {
-    return choice_.alpha < 0 ? 1.0F : pixel[choice_.alpha - choice_.first];
-  }
-
-  /// @param column, row  of the picture, for the message
-  [[nodiscard]] float value(const float* pixel, std::int64_t column, std::int64_t row) const {
-    const float found = pixel[choice_.colours.front() - choice_.first];
-    for (const int colour : choice_.colours) {
-      const float other = pixel[colour - choice_.first];
-      if (other == found || (std::isnan(found) && std::isnan(other))) continue;
-      image_.refuse(
-          fmt::format("its channels differ, {} and {} at column {}, row {}: a grey "
-                      "picture expected, or the name of one channel",
-                      found, other, column, row));
-    }
-    const float cover = alpha(pixel);
-    return associated_ && cover > 0 && cover < 1 ? found / cover : found;
-  }
-
- private:
-  const ImageFile& image_;
-  const Choice& choice_;
-  bool associated_;
-};
-
-/// A picture's display window, filled by what its data window has of it.
+/// Fills a picture's display window with one value of each pixel.
 class Placed {
  public:
-  Placed(const ImageFile& image, const Choice& choice)
-      : choice_(choice),
-        pixels_(image, choice),
-        from_(choice.facts.data),
-        to_(displayWindow(choice.facts)),
-        picture_{to_.width, to_.height, {}, {}, integerBits(choice)} {
-    const auto count = static_cast<std::size_t>(to_.width) * static_cast<std::size_t>(to_.height);
-    const bool covered = to_.x >= from_.x && to_.y >= from_.y && to_.right() <= from_.right() &&
-                         to_.below() <= from_.below();
+  Placed(const ImageFile& image, const Choice& choice, PictureUse use)
+      : image_(image),
+        choice_(choice),
+        isMask_(use == PictureUse::mask),
+        isNoDataRefused_(isRefused(Meaning::noData, use)),
+        picture_{
+            choice.facts.display.width, choice.facts.display.height, {}, {}, integerBits(choice)} {
+    const ImageFacts& facts = choice.facts;
+    const auto count =
+        static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(picture_.height);
+    const ImageWindow &from = facts.data, &to = facts.display;
+    const bool covered = to.x >= from.x && to.y >= from.y && to.right() <= from.right() &&
+                         to.below() <= from.below();
     picture_.values.resize(count, 0.0F);
-    if (choice.alpha >= 0 || !covered) picture_.alphas.resize(count, 0.0F);
+    if (isMask_ && (choice.alpha >= 0 || facts.noData || !covered))
+      picture_.alphas.resize(count, 0.0F);
   }
 
-  /// Rows of the data window, counted from its top.
-  template <typename Number>
-  void add(const Number* numbers, int top, int rows) {
-    std::vector<float> pixel(static_cast<std::size_t>(choice_.count));
-    for (int row = top; row < top + rows; ++row) {
-      for (int column = 0; column < choice_.facts.data.width; ++column) {
-        for (float& value : pixel) value = static_cast<float>(*numbers++);
-        place(pixel.data(), std::int64_t{from_.x} + column - to_.x,
-              std::int64_t{from_.y} + row - to_.y);
-      }
+  /// Neighbouring pixels of the picture.
+  void add(const float* pixel, int column, int row, int count) {
+    std::size_t target = static_cast<std::size_t>(row) * static_cast<std::size_t>(picture_.width) +
+                         static_cast<std::size_t>(column);
+    for (int x = column; x < column + count; ++x, ++target, pixel += choice_.count) {
+      const float value = valueOf(pixel, x, row);
+      picture_.values[target] = value;
+      const bool isNoData = holdsNoData(choice_.facts, choice_.colours.front(), value);
+      if (isNoData && isNoDataRefused_) image_.refuse(noDataSentence(choice_.facts, x, row));
+      if (!picture_.alphas.empty()) picture_.alphas[target] = isNoData ? 0 : alphaOf(pixel);
     }
   }
 
   [[nodiscard]] GreyPicture take() { return std::move(picture_); }
 
  private:
-  void place(const float* pixel, std::int64_t x, std::int64_t y) {
-    if (x < 0 || y < 0 || x >= to_.width || y >= to_.height) return;
-    const auto target = static_cast<std::size_t>(y * to_.width + x);
-    picture_.values[target] = pixels_.value(pixel, x, y);
-    if (!picture_.alphas.empty()) picture_.alphas[target] = pixels_.alpha(pixel);
+  [[nodiscard]] float alphaOf(const float* pixel) const {
+    return choice_.alpha < 0 ? 1.0F : pixel[choice_.alpha - choice_.first];
   }
 
+  /// @param column, row  of the picture, for the message
+  [[nodiscard]] float valueOf(const float* pixel, int column, int row) const {
+    const float found = pixel[choice_.colours.front() - choice_.first];
+    for (const int colour : choice_.colours) {
+      const float other = pixel[colour - choice_.first];
+      if (other == found || (std::isnan(found) && std::isnan(other))) continue;
+      image_.refuse(
+          fmt::format("its channels differ, {} and {} at column {}, row {}: a grey "
+                      "picture expected, or {}",
+                      found, other, column, row,
+                      isMask_ ? "the name of one channel"
+                              : "`channel`, the number of the one that holds the heights"));
+    }
+    const float cover = alphaOf(pixel);
+    return !choice_.facts.hasPlainAlpha && cover > 0 && cover < 1 ? found / cover : found;
+  }
+
+  const ImageFile& image_;
   const Choice& choice_;
-  PixelReader pixels_;
-  ImageWindow from_, to_;
+  bool isMask_, isNoDataRefused_;
   GreyPicture picture_;
 };
 
-/// The display window is the user's word: it may be larger than the data that the file holds.
-void requireWindow(const fs::path& path, const ImageFacts& facts) {
-  const ImageWindow to = displayWindow(facts);
-  const double pixels = static_cast<double>(to.width) * static_cast<double>(to.height);
-  requireMemory(2 * sizeof(float) * pixels, fmt::format("{}: a display window of {} × {} pixels",
-                                                        path.string(), to.width, to.height));
-}
-
 }  // namespace
 
-GreyPicture readGreyPicture(const fs::path& path, const std::string& channel) {
+GreyPicture readGreyPicture(const fs::path& path, const PictureChannel& channel, PictureUse use) {
   ImageFile image(path);
-  const ImageFacts facts = image.facts();
-  image.requireReadable(0);
-  const Choice choice = channel.empty() ? onlyChannel(image, facts) : namedChannel(image, channel);
-  image.requireReadable(0);
-  requireUpright(image, choice.facts);
-  requireWindow(path, choice.facts);
-  Placed placed(image, choice);
-  const int end = choice.first + choice.count;
-  const auto add = [&](const auto* numbers, int top, int rows) { placed.add(numbers, top, rows); };
-  if (isPlainInteger(choice)) {
-    image.readBands<std::uint32_t>(choice.first, end, NumberType::uint32, add);
-  } else {
-    image.readBands<float>(choice.first, end, NumberType::float32, add);
-  }
+  std::optional<Choice> choice;
+  if (!channel.name.empty()) choice = namedChannel(image, channel.name);
+  const bool isMask = use == PictureUse::mask;
+  requireMeaning(image, use, (isMask ? 2 : 1) * sizeof(float));
+  if (!choice) choice = channel.index ? numberedChannel(image, *channel.index) : onlyChannel(image);
+  Placed placed(image, *choice, use);
+  image.readPlaced(choice->first, choice->first + choice->count,
+                   [&](const float* pixels, int column, int row, int count) {
+                     placed.add(pixels, column, row, count);
+                   });
   return placed.take();
 }
 

@@ -75,7 +75,9 @@ ImageFile::ImageFile(fs::path path) : path_(std::move(path)) {
 }
 
 ImageFacts ImageFile::facts() const {
-  return reader_->facts();
+  ImageFacts facts = reader_->facts();
+  if (facts.display.width < 1 || facts.display.height < 1) facts.display = facts.data;
+  return facts;
 }
 
 bool ImageFile::goTo(int part) {
@@ -93,7 +95,7 @@ void ImageFile::requireReadable(double bytesKept) const {
     refuse(fmt::format("{} × {} × {} {}pixels found, a flat image expected", width, height,
                        facts.depth, facts.isDeep ? "deep " : ""));
   }
-  requireRoom({width, height, static_cast<double>(facts.bytesAPixel)}, facts.coding, bytesKept);
+  requireRoom({width, height, facts.bytesAPixel}, facts.coding, bytesKept);
 }
 
 void ImageFile::requireRoom(const Size& size, const std::string& coding, double bytesKept) const {
@@ -113,9 +115,9 @@ void ImageFile::requireRoom(const Size& size, const std::string& coding, double 
       fmt::format("{}: an image of {} × {} pixels", path_.string(), size.width, size.height));
 }
 
-void ImageFile::readRows(int rows, int first, int end, NumberType type, void* values) {
+void ImageFile::readRows(int rows, int first, int end, float* values) {
   try {
-    reader_->readRows(rows, first, end, type, values);
+    reader_->readRows(rows, first, end, values);
   } catch (...) {
     refuse(fmt::format("its pixels cannot be read: {}", currentMessage()));
   }

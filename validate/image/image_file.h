@@ -20,6 +20,7 @@ class ImageFile {
   /// @throws InputError where it is missing, no file, of another format (saying which), or damaged
   explicit ImageFile(std::filesystem::path path);
 
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] ImageFacts facts() const;
   /// As ImageReader's.
   bool goTo(int part);
@@ -31,23 +32,33 @@ class ImageFile {
   void requireReadable(double bytesKept) const;
 
   /// As ImageReader's.
-  void readRows(int rows, int first, int end, NumberType type, void* values);
+  void readRows(int rows, int first, int end, float* values);
 
-  /// Reads all rows of the part gone to, some at a time, so that a picture is never in memory
-  /// twice.
-  /// @param take  `take(const T* values, int top, int rows)`: channels [first, end) of rows
-  ///   [top, top + rows) beside each other
-  template <typename T, typename Take>
-  void readBands(int first, int end, NumberType type, const Take& take) {
+  /// Reads the part gone to, some rows at a time, so that a picture is never in memory twice, and
+  /// places them: the picture is the display window, and what lies outside of it is left out.
+  /// @param take  `take(const float* values, int column, int row, int count)`: channels
+  ///   [first, end), beside each other, of `count` neighbouring pixels of the picture
+  template <typename Take>
+  void readPlaced(int first, int end, const Take& take) {
     const ImageFacts facts = this->facts();
+    const ImageWindow& data = facts.data;
     const int most = rowsAtOnce(facts, end - first);
-    RawVector<T> values(static_cast<std::size_t>(most) *
-                        static_cast<std::size_t>(facts.data.width) *
-                        static_cast<std::size_t>(end - first));
-    for (int top = 0; top < facts.data.height; top += most) {
-      const int rows = std::min(most, facts.data.height - top);
-      readRows(rows, first, end, type, values.data());
-      take(static_cast<const T*>(values.data()), top, rows);
+    const std::size_t step =
+        static_cast<std::size_t>(data.width) * static_cast<std::size_t>(end - first);
+    RawVector<float> values(static_cast<std::size_t>(most) * step);
+    const std::int64_t left = std::max<std::int64_t>(facts.display.x, data.x);
+    const std::int64_t right = std::min(facts.display.right(), data.right());
+    for (int top = 0; top < data.height; top += most) {
+      const int rows = std::min(most, data.height - top);
+      readRows(rows, first, end, values.data());
+      for (int i = 0; i < rows; ++i) {
+        const std::int64_t row = std::int64_t{data.y} + top + i - facts.display.y;
+        if (row < 0 || row >= facts.display.height || left >= right) continue;
+        take(static_cast<const float*>(values.data()) + static_cast<std::size_t>(i) * step +
+                 (left - data.x) * (end - first),
+             static_cast<int>(left - facts.display.x), static_cast<int>(row),
+             static_cast<int>(right - left));
+      }
     }
   }
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gnomon::image {
@@ -39,7 +40,7 @@ struct ImageWindow {
 /// say anything.
 struct ImageFacts {
   ImageWindow data;     ///< the pixels that it holds
-  ImageWindow display;  ///< the picture; without pixels where the file has none
+  ImageWindow display;  ///< the picture; that of the data where the file has no other
   int depth = 1;        ///< layers of pixels
   bool isDeep = false;  ///< several values a pixel and channel
   std::vector<std::string> channels;
@@ -48,8 +49,12 @@ struct ImageFacts {
   int z = -1;                               ///< index of a channel; none
   bool hasPlainAlpha = false;               ///< colours do not come multiplied by it
   int orientation = 1;                      ///< as Exif counts them, 1 upright
-  std::size_t bytesAPixel = 0;              ///< in the file, unpacked
-  std::string coding;                       ///< how they are packed, as OpenImageIO names it
+  std::string colourModel;                  ///< "CMYK" …; empty: greys, or red, green and blue
+  bool isWhiteZero = false;                 ///< white is 0, and readRows does not turn it round
+  std::string unreadNumbers;     ///< a type of numbers that readRows cannot give; empty: none
+  std::optional<double> noData;  ///< the file's number for "no value"
+  double bytesAPixel = 0;        ///< in the file, unpacked
+  std::string coding;            ///< how they are packed, as OpenImageIO names it
 
   [[nodiscard]] int channelCount() const { return static_cast<int>(channels.size()); }
   /// The index of a channel, -1 where there is none of this name.
@@ -60,6 +65,22 @@ struct ImageFacts {
     return -1;
   }
 };
+
+/// The largest number of a channel whose integers are shares of it: those of up to 16 bits. 1 where
+/// numbers are read as they stand: floats, and integers of 32 bits, which are counts or flags.
+/// @param type  as ImageFacts has it
+constexpr double largestOf(std::string_view type) {
+  return type == "uint8"    ? 0xff
+         : type == "int8"   ? 0x7f
+         : type == "uint16" ? 0xffff
+         : type == "int16"  ? 0x7fff
+                            : 1;
+}
+
+/// What readRows gives for a number of a file.
+constexpr float numberOf(double number, double largest) {
+  return static_cast<float>(number) * (1.0F / static_cast<float>(largest));
+}
 
 /// An image file that is open for reading.
 class ImageReader {
@@ -75,13 +96,12 @@ class ImageReader {
   virtual bool goTo(int part) = 0;
 
   /// Reads channels [first, end) of the next rows of the part gone to, beside each other, one row
-  /// after the other from the top of its data window. Integers of the file are shares of their
-  /// largest value, unless `type` is theirs. All rows of a part are read with the same channels and
-  /// type.
+  /// after the other from the top of its data window, as floats: see `numberOf`. All rows of a part
+  /// are read with the same channels.
   /// @param rows    at most as many as are left
-  /// @param values  rows × width × (end - first) numbers of `type`
+  /// @param values  rows × width × (end - first) numbers
   /// @throws ImageError
-  virtual void readRows(int rows, int first, int end, NumberType type, void* values) = 0;
+  virtual void readRows(int rows, int first, int end, float* values) = 0;
 };
 
 }  // namespace gnomon::image

@@ -1,20 +1,21 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "relief/height_field.h"
 
 namespace gnomon::relief {
 
-/// Reads one channel of an image of any format of `ImageFormat`, told by its content. Integers are
-/// normalised to [0, 1] (8 and 16 bit), floats are taken as they are; all are then multiplied by
-/// `height`. The first row of the image is the top, v = 1, as renderers take it.
-/// @param channel  0-based
+/// Reads one channel of an image of any format of `ImageFormat`, told by its content, as
+/// image::readGreyPicture does, times `height`: the rules are image::meaningTable's. The first row
+/// of the image is the top, v = 1, as renderers take it.
+/// @param channel  0-based, without alpha; none: the only one, or three that must be equal
 /// @param height   height units of the value 1
-/// @throws InputError naming the file: missing, of another format, unreadable, zero-sized, too
-/// short for its pixels, no such channel, or a height that is not finite; MemoryError where it does
-/// not fit
-HeightField readHeightImage(const std::filesystem::path& path, int channel, double height,
-                            Wrap wrap);
+/// @throws InputError naming the file as image::readGreyPicture, and for a height that is not
+/// finite
+///   (naming its pixel); MemoryError where it does not fit
+HeightField readHeightImage(const std::filesystem::path& path, std::optional<int> channel,
+                            double height, Wrap wrap);
 
 }  // namespace gnomon::relief

@@ -75,8 +75,8 @@ class Pngs : public TemporaryFolder {
     ImageFile image(file("p.png"));
     const int channels = image.facts().channelCount();
     std::vector<float> values;
-    image.readBands<float>(0, channels, NumberType::float32, [&](const float* band, int, int rows) {
-      values.insert(values.end(), band, band + rows * width_ * channels);
+    image.readPlaced(0, channels, [&](const float* pixels, int, int, int count) {
+      values.insert(values.end(), pixels, pixels + count * channels);
     });
     return values;
   }
@@ -109,7 +109,7 @@ TEST_F(Pngs, AreReadAsAnotherLibraryReadsThem) {
           EXPECT_EQ(facts.channels, spec.channelnames);
           EXPECT_EQ(facts.alpha, spec.alpha_channel);
           EXPECT_EQ(facts.channelNumbers.front(), spec.format.c_str());
-          EXPECT_EQ(facts.bytesAPixel, spec.pixel_bytes(true));
+          EXPECT_EQ(facts.bytesAPixel, static_cast<double>(spec.pixel_bytes(true)));
           EXPECT_EQ(readByUs(), expected);
           ++kinds;
         }

@@ -59,14 +59,12 @@ Layout layoutOf(const spng_ihdr& header, bool hasTransparentColour) {
   return layout;
 }
 
-/// Shares of the largest value, as OpenImageIO converts them: times the reciprocal in floats.
 template <typename Number>
 float* toShares(const std::uint8_t* pixel, std::size_t first, std::size_t end, float* out) {
-  constexpr float scale = 1.0F / static_cast<float>(std::numeric_limits<Number>::max());
   for (std::size_t c = first; c < end; ++c) {
     Number value = 0;
     std::memcpy(&value, pixel + c * sizeof value, sizeof value);
-    *out++ = static_cast<float>(value) * scale;
+    *out++ = numberOf(value, std::numeric_limits<Number>::max());
   }
   return out;
 }
@@ -88,11 +86,10 @@ class PngReader : public ImageReader {
     return true;
   }
 
-  void readRows(int rows, int first, int end, NumberType type, void* values) override {
-    if (type != NumberType::float32) throw ImageError("its numbers are shares of 8 or 16 bits");
+  void readRows(int rows, int first, int end, float* values) override {
     const auto from = static_cast<std::size_t>(first);
     const auto to = static_cast<std::size_t>(end);
-    auto* out = static_cast<float*>(values);
+    float* out = values;
     for (int i = 0; i < rows; ++i) {
       const std::uint8_t* pixel = nextRow();
       for (std::uint32_t x = 0; x < header_.width; ++x, pixel += layout_.pixelBytes()) {
@@ -127,7 +124,7 @@ class PngReader : public ImageReader {
     facts_.channelNumbers.assign(facts_.channels.size(), layout_.bits == 16 ? "uint16" : "uint8");
     facts_.alpha = facts_.channel("A");
     facts_.hasPlainAlpha = facts_.alpha >= 0;
-    facts_.bytesAPixel = layout_.pixelBytes();
+    facts_.bytesAPixel = static_cast<double>(layout_.pixelBytes());
     spng_exif exif{};
     if (spng_get_exif(context_.get(), &exif) != SPNG_OK) return;
     facts_.orientation =

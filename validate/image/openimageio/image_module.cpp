@@ -1,4 +1,5 @@
-// All that knows OpenImageIO: the module that image/image_module.h loads.
+// All that knows OpenImageIO: the module that image/image_module.h loads. TIFFs it leaves to
+// libtiff.
 
 #include "image/image_module.h"
 
@@ -9,12 +10,15 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
 #include <system_error>
 #include <utility>
+
+#include "tiff_reader.h"
 
 namespace gnomon::image {
 namespace {
@@ -23,7 +27,7 @@ OIIO::TypeDesc typeDesc(NumberType type) {
   return OIIO::TypeDesc(nameOf(type));
 }
 
-ImageFacts factsOf(const OIIO::ImageSpec& spec) {
+ImageFacts factsOf(const OIIO::ImageSpec& spec, ImageFormat format) {
   ImageFacts facts;
   facts.data = {spec.x, spec.y, spec.width, spec.height};
   facts.display = {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
@@ -35,76 +39,99 @@ ImageFacts factsOf(const OIIO::ImageSpec& spec) {
   }
   facts.alpha = spec.alpha_channel;
   facts.z = spec.z_channel;
-  facts.hasPlainAlpha = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
+  // A BMP's and a TGA's alpha stands beside the colours, whatever the library says; but for a TGA
+  // of the kind that says otherwise.
+  constexpr int multiplied = 4;
+  facts.hasPlainAlpha =
+      spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0 || format == ImageFormat::bmp ||
+      (format == ImageFormat::tga && spec.get_int_attribute("targa:alpha_type") != multiplied);
   facts.orientation = spec.get_int_attribute("Orientation", 1);
-  facts.bytesAPixel = spec.pixel_bytes(true);
+  // Only CMYK in its two forms has this name.
+  if (!spec.get_string_attribute("jpeg:ColorSpace").empty()) facts.colourModel = "CMYK";
+  facts.bytesAPixel = static_cast<double>(spec.pixel_bytes(true));
   facts.coding = std::string(spec.get_string_attribute("compression"));
   return facts;
 }
 
 class FileReader : public ImageReader {
  public:
-  /// @param rowByRow  rows are asked for one by one, where the file has no tiles
-  FileReader(std::unique_ptr<OIIO::ImageInput> file, bool rowByRow)
-      : file_(std::move(file)), rowByRow_(rowByRow) {}
+  FileReader(std::unique_ptr<OIIO::ImageInput> file, ImageFormat format)
+      : file_(std::move(file)), format_(format) {}
 
-  [[nodiscard]] ImageFacts facts() const override { return factsOf(file_->spec()); }
+  [[nodiscard]] ImageFacts facts() const override { return factsOf(file_->spec(), format_); }
 
   bool goTo(int part) override {
     row_ = 0;
     return file_->seek_subimage(part, 0);
   }
 
-  void readRows(int rows, int first, int end, NumberType type, void* values) override {
+  void readRows(int rows, int first, int end, float* values) override {
     const OIIO::ImageSpec& spec = file_->spec();
-    const std::size_t rowBytes = static_cast<std::size_t>(spec.width) *
-                                 static_cast<std::size_t>(end - first) * typeDesc(type).size();
-    auto* out = static_cast<std::uint8_t*>(values);
+    const std::size_t step =
+        static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(end - first);
     if (spec.tile_width == 0) {
-      const int step = rowByRow_ ? 1 : rows;
-      for (int i = 0; i < rows; i += step, row_ += step) {
-        readScanlines(row_, row_ + step, first, end, type,
-                      out + static_cast<std::size_t>(i) * rowBytes);
-      }
+      readChannels(row_, row_ + rows, first, end, values);
+      row_ += rows;
       return;
     }
-    for (int i = 0; i < rows; ++i, ++row_, out += rowBytes) {
+    for (int i = 0; i < rows; ++i, ++row_, values += step) {
       const int inTile = row_ % spec.tile_height;
-      if (inTile == 0) readTiles(row_, rowBytes, first, end, type);
-      std::copy_n(tiles_.data() + static_cast<std::size_t>(inTile) * rowBytes, rowBytes, out);
+      if (inTile == 0) {
+        const int bottom = std::min(row_ + spec.tile_height, spec.height);
+        tiles_.resize(step * static_cast<std::size_t>(bottom - row_));
+        readChannels(row_, bottom, first, end, tiles_.data());
+      }
+      std::copy_n(tiles_.data() + static_cast<std::size_t>(inTile) * step, step, values);
     }
   }
 
  private:
-  // Rows of the file are counted from the data window's own origin.
-  void readScanlines(int top, int bottom, int first, int end, NumberType type, void* values) {
+  /// Rows [top, bottom), or the tiles that they fill: neighbouring channels of one type at a time,
+  /// since the library would make shares of integers of 32 bits.
+  void readChannels(int top, int bottom, int first, int end, float* values) {
     const OIIO::ImageSpec& spec = file_->spec();
-    check(file_->read_scanlines(file_->current_subimage(), 0, spec.y + top, spec.y + bottom, 0,
-                                first, end, typeDesc(type), values));
+    const auto isCount = [&](int c) { return spec.channelformat(c) == OIIO::TypeUInt; };
+    for (int from = first, to = first; from < end; from = to) {
+      while (to < end && isCount(to) == isCount(from)) ++to;
+      float* const out = values + (from - first);
+      read(top, bottom, from, to, isCount(from) ? NumberType::uint32 : NumberType::float32, out,
+           static_cast<OIIO::stride_t>(sizeof(float)) * (end - first));
+      if (!isCount(from)) continue;
+      const auto pixels = static_cast<std::ptrdiff_t>(bottom - top) * spec.width;
+      for (std::ptrdiff_t i = 0; i < pixels; ++i) {
+        for (int c = 0; c < to - from; ++c) {
+          float& number = out[i * (end - first) + c];
+          number = static_cast<float>(std::bit_cast<std::uint32_t>(number));
+        }
+      }
+    }
   }
 
-  /// The tiles beside each other whose first row is `top`.
-  void readTiles(int top, std::size_t rowBytes, int first, int end, NumberType type) {
+  // Rows of the file are counted from the data window's own origin.
+  void read(int top, int bottom, int first, int end, NumberType type, void* out,
+            OIIO::stride_t pixelBytes) {
     const OIIO::ImageSpec& spec = file_->spec();
-    const int rows = std::min(spec.tile_height, spec.height - top);
-    tiles_.resize(rowBytes * static_cast<std::size_t>(rows));
-    check(file_->read_tiles(file_->current_subimage(), 0, spec.x, spec.x + spec.width, spec.y + top,
-                            spec.y + top + rows, spec.z, spec.z + 1, first, end, typeDesc(type),
-                            tiles_.data()));
+    const int part = file_->current_subimage();
+    check(spec.tile_width == 0
+              ? file_->read_scanlines(part, 0, spec.y + top, spec.y + bottom, 0, first, end,
+                                      typeDesc(type), out, pixelBytes)
+              : file_->read_tiles(part, 0, spec.x, spec.x + spec.width, spec.y + top,
+                                  spec.y + bottom, spec.z, spec.z + 1, first, end, typeDesc(type),
+                                  out, pixelBytes));
   }
 
   void check(bool isRead) {
-    // The TIFF reader answers true for a file that is cut off, but keeps its error.
     if (!isRead || file_->has_error()) throw ImageError(file_->geterror());
   }
 
   std::unique_ptr<OIIO::ImageInput> file_;
-  bool rowByRow_;
+  ImageFormat format_;
   int row_ = 0;  ///< the next one
-  std::vector<std::uint8_t> tiles_;
+  std::vector<float> tiles_;
 };
 
-/// OpenImageIO's name of a format's reader; PNG has one of its own, see png_reader.h.
+/// OpenImageIO's name of a format's reader; PNG and TIFF have their own, see png_reader.h and
+/// tiff_reader.h.
 const char* readerOf(ImageFormat format) {
   constexpr std::array names = {"openexr", "png", "tiff", "jpeg", "hdr",
                                 "pnm",     "pnm", "bmp",  "targa"};
@@ -112,6 +139,7 @@ const char* readerOf(ImageFormat format) {
 }
 
 std::unique_ptr<ImageReader> openFile(const std::filesystem::path& path, ImageFormat format) {
+  if (format == ImageFormat::tiff) return openTiff(path);
   // EXRs by OpenEXR's core library. The older reader takes a chunk that unpacks to less than its
   // rows, and fills up the rest with what its memory held.
   OIIO::attribute("openexr:core", 1);
@@ -121,14 +149,9 @@ std::unique_ptr<ImageReader> openFile(const std::filesystem::path& path, ImageFo
   // ImageInput::open would try the readers of all other formats where this one fails.
   auto file = OIIO::ImageInput::create(readerOf(format));
   if (!file) throw ImageError(OIIO::geterror());
-  // On several threads, or asked for several rows at once, the TIFF reader unpacks strips and tiles
-  // by zlib itself, and takes one that holds less than its rows need: the rest is what its memory
-  // held. libtiff, which it asks for single rows, does not.
-  const bool isTiff = format == ImageFormat::tiff;
-  if (isTiff) file->threads(1);
   OIIO::ImageSpec spec;
   if (!file->open(path.string(), spec, wishes)) throw ImageError(file->geterror());
-  return std::make_unique<FileReader>(std::move(file), isTiff);
+  return std::make_unique<FileReader>(std::move(file), format);
 }
 
 OIIO::ImageSpec specOf(const ExrDescription& description) {

@@ -10,7 +10,7 @@
 
 #include "common/error.h"
 #include "horizon/stored_table.h"
-#include "image/image_file.h"
+#include "image/picture_meaning.h"
 #include "render/declaration.h"
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
@@ -62,6 +62,20 @@ horizon::TableBits bitsOf(const image::ImageFacts& facts) {
   return bits;
 }
 
+/// Refuses a pixel of row y that holds no finite number, or the file's "no data".
+void requireNumbers(const image::ImageFile& image, const image::ImageFacts& facts,
+                    std::span<const float> row, int y) {
+  const auto channels = static_cast<std::size_t>(facts.channelCount());
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto x = static_cast<int>(i / channels);
+    if (image::holdsNoData(facts, static_cast<int>(i % channels), row[i])) {
+      image.refuse(image::noDataSentence(facts, x, y));
+    }
+    if (std::isfinite(row[i])) continue;
+    image.refuse(fmt::format("pixel ({}, {}) holds {}, a finite number expected", x, y, row[i]));
+  }
+}
+
 }  // namespace
 
 std::vector<MethodTexture> readTextures(const Declaration& declaration, const fs::path& folder) {
@@ -97,8 +111,8 @@ GpuTexture::GpuTexture(const MethodTexture& texture) {
   image::ImageFile image(texture.file);
   const image::ImageFacts facts = image.facts();
   const int channels = facts.channelCount();
-  const int width = facts.data.width;
-  const int height = facts.data.height;
+  const int width = facts.display.width;
+  const int height = facts.display.height;
   const int largest = gl::limit(GL_MAX_TEXTURE_SIZE);
   if (channels < 1 || channels > 4) {
     image.refuse(fmt::format("{} channels found, 1 to 4 expected", channels));
@@ -107,24 +121,16 @@ GpuTexture::GpuTexture(const MethodTexture& texture) {
     image.refuse(fmt::format("{} × {} pixels found, OpenGL takes at most {} a side", width, height,
                              largest));
   }
-  image.requireReadable(3.0 * sizeof(float) * channels);
+  image::requireMeaning(image, image::PictureUse::method, 3.0 * sizeof(float) * channels);
   const std::size_t row = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
   const horizon::TableBits bits = bitsOf(facts);
   horizon::StoredTable stored =
       horizon::emptyTable(row * static_cast<std::size_t>(height), bits, 0, 1);
-  image.readBands<float>(
-      0, channels, image::NumberType::float32, [&](const float* values, int top, int rows) {
-        for (int y = top; y < top + rows; ++y, values += row) {
-          const std::span<const float> line(values, row);
-          const auto wrong = std::find_if(line.begin(), line.end(),
-                                          [](float value) { return !std::isfinite(value); });
-          if (wrong != line.end()) {
-            image.refuse(fmt::format("pixel ({}, {}) holds {}, a finite number expected",
-                                     (wrong - line.begin()) / channels, y, *wrong));
-          }
-          stored.set(row * static_cast<std::size_t>(height - 1 - y), line);
-        }
-      });
+  image.readPlaced(0, channels, [&](const float* values, int, int y, int) {
+    const std::span<const float> line(values, row);
+    requireNumbers(image, facts, line, y);
+    stored.set(row * static_cast<std::size_t>(height - 1 - y), line);
+  });
   const PixelFormat format = pixelFormat(bits);
   const auto channel = static_cast<std::size_t>(channels - 1);
   const gl::TextureSize size{width, height};

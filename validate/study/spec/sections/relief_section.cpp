@@ -88,9 +88,11 @@ ReliefSection readReliefSection(const TomlReader& section) {
     requireOneRepeat(section, relief);
     readKeys(section, keysOf(projected));
     readKeys(section, keysOf(projected.image));
+    projected.image.isChannelNamed = section.has("channel");
     relief.map = projected;
   } else if (section.has("image")) {
     readKeys(section, keysOf(image));
+    image.isChannelNamed = section.has("channel");
     relief.map = image;
   } else if (section.has("solid")) {
     requireOneRepeat(section, relief);
@@ -124,7 +126,9 @@ toml::table tableOf(ReliefSection relief) {
 relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
                         const std::filesystem::path& folder, const surface::Cage& cage) {
   const auto imageAt = [&](const ImageMap& image, double height) {
-    return relief::readHeightImage(folder / pathOf(image.path), image.channel, height, relief.wrap);
+    return relief::readHeightImage(
+        folder / pathOf(image.path),
+        image.isChannelNamed ? std::optional(image.channel) : std::nullopt, height, relief.wrap);
   };
   relief::HeightField field = std::visit(
       Overloaded{[&](const PatternMap& map) {

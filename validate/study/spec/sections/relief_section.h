@@ -39,6 +39,7 @@ struct SolidMap {
 struct ImageMap {
   std::string path;  ///< as the file has it, see pathOf
   int channel = 0;
+  bool isChannelNamed = false;  ///< else three channels must be equal
 };
 
 /// An image projected in space, see relief::triplanar.
