@@ -1,6 +1,7 @@
 import math
 import os
 import signal
+import struct
 import threading
 import time
 
@@ -169,3 +170,17 @@ def test_errors_are_one_line():
     assert "\n" not in str(refused.value)
     with pytest.raises(gnomon.InputError, match="nowhere.obj"):
         gnomon.read_surface("nowhere.obj")
+
+
+@pytest.mark.parametrize("order", "<>")
+def test_masks_of_doubles_are_read_as_written(order, tmp_path):
+    """A TIFF of 64-bit floats, put down by hand: 1 is lit."""
+    tags = [(256, 3, 2), (257, 3, 2), (258, 3, 64), (259, 3, 1), (262, 3, 1), (273, 4, 8)]
+    tags += [(278, 3, 2), (279, 4, 32), (339, 3, 3)]
+    data = (b"II" if order == "<" else b"MM") + struct.pack(order + "HI4d", 42, 40, 1, 0, 0, 1)
+    data += struct.pack(order + "H", len(tags))
+    for tag, kind, value in tags:
+        data += struct.pack(order + ("HHIHxx" if kind == 3 else "HHII"), tag, kind, 1, value)
+    (tmp_path / "doubles.tif").write_bytes(data + bytes(4))
+    assert gnomon.read_mask(tmp_path / "doubles.tif").tolist() == [[0, 1], [1, 0]]
+    assert gnomon.read_shares(tmp_path / "doubles.tif").tolist() == [[1, 0], [0, 1]]

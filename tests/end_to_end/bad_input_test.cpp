@@ -120,6 +120,8 @@ TEST_F(BadInput, HeightImages) {
   refuse("zero.pgm", {"zero.pgm: "});
   write("text.png", "this is no image");
   refuse("text.png", {"text.png: "});
+  write("colours.ppm", "P3\n2 1\n255\n9 9 9 9 8 9\n");
+  refuse("colours.ppm", {"colours.ppm: its channels differ", "at column 1, row 0", "`channel`"});
 
   const auto writeImage = [&](const std::string& name, int side, float odd) {
     const auto image = OIIO::ImageOutput::create(file(name).string());

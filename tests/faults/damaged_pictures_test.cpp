@@ -112,6 +112,10 @@ class DamagedPictures : public EndToEnd {
       add("tif", spec(1, TypeDesc::UINT16, coding));
     }
     add("tif", spec(3, TypeDesc::UINT8, "jpeg"));
+    add("tif", spec(1, TypeDesc::DOUBLE, "lzw"));
+    OIIO::ImageSpec planes = spec(3, TypeDesc::UINT16, "zip");
+    planes.attribute("planarconfig", "separate");
+    add("tif", planes);
     for (const int bits : {1, 4}) {
       OIIO::ImageSpec few = spec(1, TypeDesc::UINT8, "none");
       few.attribute("oiio:BitsPerSample", bits);

@@ -197,10 +197,14 @@ TEST_F(Tiffs, AreMasksInEveryTypeOfNumbers) {
   for (const NumberKind& kind : kinds) {
     std::vector<double> numbers = bits;
     for (double& number : numbers) number *= kind.largest;
-    test::writeTiff(path(), {3, 2, kind.bits, kind.format}, numbers);
     const std::vector<Shade> expected = {Shade::lit, Shade::shadowed, Shade::shadowed,
                                          Shade::lit, Shade::lit,      Shade::shadowed};
-    EXPECT_EQ(readMaskPicture(path()).mask.samples, expected) << kind.bits << " " << kind.format;
+    for (const bool isBig : {false, true}) {
+      test::TestTiff tiff{3, 2, kind.bits, kind.format};
+      tiff.isBig = isBig;
+      test::writeTiff(path(), tiff, numbers);
+      EXPECT_EQ(readMaskPicture(path()).mask.samples, expected) << kind.bits << " " << kind.format;
+    }
   }
 }
 

@@ -112,13 +112,13 @@ class SayingFiles : public TemporaryFolder {
     write<float>(name, {spec}, {values}, OIIO::TypeFloat);
   }
 
-  /// A PNG of 8-bit greys with chunks put behind its header.
-  void png(const std::string& name,
-           const std::vector<std::pair<std::string, std::string>>& chunks) const {
+  /// A PNG of 8-bit greys with chunks put behind its header, or its pixels.
+  void png(const std::string& name, const std::vector<std::pair<std::string, std::string>>& chunks,
+           bool isBehind = false) const {
     image::ByteImage picture{width, height, {}};
     for (const float value : plain) picture.values.push_back(value == 1 ? 255 : 0);
     std::string bytes = image::pngOf(picture);
-    std::size_t at = 33;
+    std::size_t at = isBehind ? bytes.size() - 12 : 33;
     for (const auto& [type, content] : chunks) {
       const std::string chunk = type + content;
       const auto sum = static_cast<std::uint32_t>(
@@ -204,10 +204,12 @@ class SayingFiles : public TemporaryFolder {
     taggedTiff("turned.tif",
                [](TIFF* out) { TIFFSetField(out, TIFFTAG_ORIENTATION, ORIENTATION_RIGHTTOP); });
     png("turned.png", {{"eXIf", exif(8)}});
+    png("turned-late.png", {{"eXIf", exif(8)}}, true);
     jpeg("turned.jpg", false, 3);
     hdr("turned.hdr", "", "+Y 2 +X 3");
     std::vector<SayingFile> files;
-    for (const char* name : {"turned.tif", "turned.png", "turned.jpg", "turned.hdr"}) {
+    for (const char* name :
+         {"turned.tif", "turned.png", "turned-late.png", "turned.jpg", "turned.hdr"}) {
       files.push_back({Meaning::orientation, name, {}, {}, {}, "Orientation is"});
     }
     return files;
@@ -349,6 +351,9 @@ class SayingFiles : public TemporaryFolder {
       files.push_back({meaning, name, plain, plain, plain, fmt::format("{}-bit", bits)});
     };
     add(Meaning::fewBits, 1, SAMPLEFORMAT_UINT, 1);
+    taggedTiff("reversed.tif",
+               [](TIFF* out) { TIFFSetField(out, TIFFTAG_FILLORDER, FILLORDER_LSB2MSB); });
+    files.push_back({Meaning::fewBits, "reversed.tif"});
     add(Meaning::fewBits, 4, SAMPLEFORMAT_UINT, 15);
     add(Meaning::fewBits, 12, SAMPLEFORMAT_UINT, 4095);
     add(Meaning::fewBits, 8, SAMPLEFORMAT_INT, 127);
@@ -373,6 +378,7 @@ class SayingFiles : public TemporaryFolder {
     taggedTiff("curve.tif", [](TIFF* out) {
       TIFFSetField(out, TIFFTAG_MAXSAMPLEVALUE, 100);
       TIFFSetField(out, TIFFTAG_MINSAMPLEVALUE, 10);
+      test::setGdalText(out, 42112, "<GDALMetadata><Item name=\"SCALE\">2</Item></GDALMetadata>");
     });
     OIIO::ImageSpec linear = spec({"Y"}, OIIO::TypeFloat);
     linear.attribute("whiteLuminance", 100.0F);
@@ -414,7 +420,7 @@ class SayingFiles : public TemporaryFolder {
       description.bits = bits;
       description.format = format;
       if (text != nullptr) {
-        description.tags = [text](TIFF* out) { test::setNoData(out, text); };
+        description.tags = [text](TIFF* out) { test::setGdalText(out, 42113, text); };
       }
       std::vector<double> numbers = numbersOf(plain, scale);
       numbers[4] = stored;
@@ -522,6 +528,21 @@ class SayingFiles : public TemporaryFolder {
     test::addTiff(pages, {width, height}, numbersOf(other, 255));
     TIFFClose(pages);
     files.push_back({Meaning::parts, "pages.tif"});
+    const auto twoPages = [&](const std::string& name, int first, int second) {
+      TIFF* const out = TIFFOpen(file(name).c_str(), "w");
+      for (const int kind : {first, second}) {
+        test::TestTiff page{width, height};
+        page.tags = [kind](TIFF* tags) { TIFFSetField(tags, TIFFTAG_SUBFILETYPE, kind); };
+        test::addTiff(out, page, numbersOf(plain, 255));
+      }
+      TIFFClose(out);
+    };
+    twoPages("pyramid.tif", 0, FILETYPE_REDUCEDIMAGE);
+    files.push_back({Meaning::parts, "pyramid.tif"});
+    twoPages("thumbnail.tif", FILETYPE_REDUCEDIMAGE, 0);
+    files.push_back({Meaning::otherPage, "thumbnail.tif", {}, {}, {}, "a reduced copy"});
+    twoPages("masked.tif", 0, FILETYPE_MASK);
+    files.push_back({Meaning::otherPage, "masked.tif", {}, {}, {}, "page 2 says which pixels"});
     taggedTiff("page.tif", [](TIFF* out) {
       TIFFSetField(out, TIFFTAG_XPOSITION, 2.0);
       TIFFSetField(out, TIFFTAG_YPOSITION, 1.0);

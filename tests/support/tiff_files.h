@@ -27,6 +27,7 @@ struct TestTiff {
   bool isTiled = false;
   bool isSeparate = false;
   bool isBigEndian = false;
+  bool isBig = false;                    ///< BigTIFF
   std::function<void(TIFF*)> tags = {};  ///< sets more of them
 };
 
@@ -80,12 +81,13 @@ class TiffBytes {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// GDAL's tag for "no data".
-inline void setNoData(TIFF* file, const char* text) {
-  static const TIFFFieldInfo info = {42113,        -1,   -1,    TIFF_ASCII,
-                                     FIELD_CUSTOM, true, false, const_cast<char*>("GDALNoData")};
-  TIFFMergeFieldInfo(file, &info, 1);
-  EXPECT_EQ(TIFFSetField(file, 42113, text), 1);
+/// Sets a tag of GDAL's: 42112 for what it says of scales, 42113 for "no data".
+inline void setGdalText(TIFF* file, std::uint32_t tag, const char* text) {
+  static const std::array<TIFFFieldInfo, 2> infos = {
+      {{42112, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDALMetadata")},
+       {42113, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDALNoData")}}};
+  TIFFMergeFieldInfo(file, infos.data(), infos.size());
+  EXPECT_EQ(TIFFSetField(file, tag, text), 1);
 }
 
 /// Appends a picture to an open file.
@@ -152,7 +154,8 @@ inline void addTiff(TIFF* file, const TestTiff& tiff, const std::vector<double>&
 
 inline void writeTiff(const std::filesystem::path& path, const TestTiff& tiff,
                       const std::vector<double>& numbers) {
-  TIFF* const file = TIFFOpen(path.c_str(), tiff.isBigEndian ? "wb" : "wl");
+  const std::string mode = std::string(tiff.isBigEndian ? "wb" : "wl") + (tiff.isBig ? "8" : "");
+  TIFF* const file = TIFFOpen(path.c_str(), mode.c_str());
   ASSERT_NE(file, nullptr);
   addTiff(file, tiff, numbers);
   TIFFClose(file);

@@ -52,6 +52,7 @@ struct ImageFacts {
   std::string colourModel;                  ///< "CMYK" …; empty: greys, or red, green and blue
   bool isWhiteZero = false;                 ///< white is 0, and readRows does not turn it round
   std::string unreadNumbers;     ///< a type of numbers that readRows cannot give; empty: none
+  std::string otherPage;         ///< why this page is not the whole picture; empty: it is
   std::optional<double> noData;  ///< the file's number for "no value"
   double bytesAPixel = 0;        ///< in the file, unpacked
   std::string coding;            ///< how they are packed, as OpenImageIO names it

@@ -26,7 +26,7 @@ constexpr std::array<MeaningCell, 3> forAll(MeaningCell cell) {
 constexpr MeaningCell refusalWithPlace{Decision::refused, "the message names the first"};
 constexpr MeaningCell withoutSample = honoured("no sample");
 
-constexpr std::array<MeaningRow, 20> table = {{
+constexpr std::array<MeaningRow, 21> table = {{
     {Meaning::orientation, "an orientation that is not upright (TIFF, Exif in PNG and JPEG, HDR)",
      forAll(refusal)},
     {Meaning::rowOrder, "rows from the bottom, columns from the right (BMP, PFM, TGA)",
@@ -45,7 +45,8 @@ constexpr std::array<MeaningRow, 20> table = {{
     {Meaning::wideFloats, "floats of 64 bits (TIFF)", forAll(honoured("rounded to 32 bits"))},
     {Meaning::otherNumbers, "other numbers: integers of 17 to 31 or over 32 bits, complex ones",
      forAll(refusal)},
-    {Meaning::colourSpace, "colour space, gamma, exposure, ICC profile, response curve",
+    {Meaning::colourSpace,
+     "colour space, gamma, exposure, ICC profile, response curve, GDAL's scale and offset",
      forAll(asStored)},
     {Meaning::largerWindow, "pixels outside the display window (EXR, TIFF)",
      forAll(honoured("left out"))},
@@ -66,6 +67,8 @@ constexpr std::array<MeaningRow, 20> table = {{
      "pages, parts, levels: several pictures in a file",
      {honoured("the first"), honoured("the first, or the first with the channel named"),
       honoured("the first")}},
+    {Meaning::otherPage, "a page that is a reduced copy, or that another page masks (TIFF)",
+     forAll(refusal)},
     {Meaning::density, "pixels that are not square, density, place on a page", forAll(asStored)},
 }};
 
@@ -100,7 +103,7 @@ std::optional<std::pair<std::int64_t, std::int64_t>> uncoveredPlace(const ImageF
 
 }  // namespace
 
-const std::array<MeaningRow, 20>& meaningTable() {
+const std::array<MeaningRow, 21>& meaningTable() {
   return table;
 }
 
@@ -147,6 +150,8 @@ void requireMeaning(const ImageFile& image, PictureUse use, double bytesKept) {
   refuse(Meaning::whiteZeroOther, facts.isWhiteZero,
          "white is 0 in it (PhotometricInterpretation 0), but only unsigned integers of up to 16 "
          "bits have a number for black: black as 0 (1) expected");
+  refuse(Meaning::otherPage, !facts.otherPage.empty(),
+         fmt::format("{}: one whole picture expected", facts.otherPage));
   const auto uncovered = uncoveredPlace(facts);
   const auto [column, row] = uncovered.value_or(std::pair(0, 0));
   refuse(

@@ -35,6 +35,7 @@ enum class Meaning {
   alpha,
   differentChannels,
   parts,
+  otherPage,
   density,
 };
 
@@ -52,7 +53,7 @@ struct MeaningRow {
 };
 
 /// The table: one row for each Meaning, in their order.
-const std::array<MeaningRow, 20>& meaningTable();
+const std::array<MeaningRow, 21>& meaningTable();
 
 bool isRefused(Meaning meaning, PictureUse use);
 

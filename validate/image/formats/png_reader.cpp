@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <new>
+#include <string>
 #include <utility>
 
 #include "common/raw_vector.h"
@@ -125,10 +126,13 @@ class PngReader : public ImageReader {
     facts_.alpha = facts_.channel("A");
     facts_.hasPlainAlpha = facts_.alpha >= 0;
     facts_.bytesAPixel = static_cast<double>(layout_.pixelBytes());
+    facts_.orientation = orientation();
+  }
+
+  [[nodiscard]] int orientation() const {
     spng_exif exif{};
-    if (spng_get_exif(context_.get(), &exif) != SPNG_OK) return;
-    facts_.orientation =
-        exifOrientation({reinterpret_cast<const std::uint8_t*>(exif.data), exif.length});
+    if (spng_get_exif(context_.get(), &exif) != SPNG_OK) return 1;
+    return exifOrientation({reinterpret_cast<const std::uint8_t*>(exif.data), exif.length});
   }
 
   const std::uint8_t* nextRow() {
@@ -148,6 +152,11 @@ class PngReader : public ImageReader {
   /// where the last chunk's checksum is missing.
   void readEnd() {
     check(spng_decode_chunks(context_.get()));
+    // Exif may stand behind the pixels.
+    if (orientation() != facts_.orientation) {
+      throw ImageError("its Orientation is " + std::to_string(orientation()) +
+                       ", upright pixels (1) expected: turn the picture");
+    }
     check(std::feof(file_.get()) == 0 ? SPNG_OK : SPNG_IO_EOF);
   }
 

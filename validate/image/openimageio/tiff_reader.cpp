@@ -221,6 +221,10 @@ class TiffReader : public ImageReader {
  public:
   explicit TiffReader(std::filesystem::path path) : path_(std::move(path)) {
     files_.emplace_back(path_);
+    constexpr int mostPages = 100;
+    for (int page = 0; page < mostPages && files_.front().goTo(page); ++page) {
+      pages_.push_back(files_.front().number<std::uint32_t>(TIFFTAG_SUBFILETYPE, 0));
+    }
     goToPart(0);
   }
 
@@ -290,9 +294,20 @@ class TiffReader : public ImageReader {
     facts_.orientation = tiff.number<std::uint16_t>(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
     facts_.unreadNumbers = layout_.unread();
     facts_.isWhiteZero = layout_.isWhiteZero() && !layout_.canTurnWhite();
+    facts_.otherPage = otherPage();
     facts_.noData = noData();
     if (facts_.noData && isTurned(0)) facts_.noData = layout_.largest() - *facts_.noData;
     facts_.bytesAPixel = layout_.samples * layout_.bits / 8.0;
+  }
+
+  /// That the page gone to is not the whole picture, or nothing.
+  [[nodiscard]] std::string otherPage() const {
+    const auto page = static_cast<std::size_t>(part_);
+    const std::uint32_t kind = page < pages_.size() ? pages_[page] : 0;
+    if ((kind & FILETYPE_REDUCEDIMAGE) != 0) return "it is a reduced copy of another";
+    const auto masks = std::find(pages_.begin(), pages_.end(), FILETYPE_MASK);
+    if (masks == pages_.end()) return {};
+    return "page " + std::to_string(masks - pages_.begin() + 1) + " says which pixels are missing";
   }
 
   /// A picture within a larger one (Pixar's tags, which OpenImageIO writes too). A place on a page
@@ -478,7 +493,8 @@ class TiffReader : public ImageReader {
   }
 
   std::filesystem::path path_;
-  std::vector<Tiff> files_;  ///< one, or of a picture in planes one for each that is read
+  std::vector<Tiff> files_;           ///< one, or of a picture in planes one for each that is read
+  std::vector<std::uint32_t> pages_;  ///< NewSubfileType of each
   int part_ = 0;
   int row_ = 0;  ///< the next one
   int width_ = 0;

@@ -153,7 +153,8 @@ inline StudyKeys keysOf(SolidMap& map) {
 inline StudyKeys keysOf(ImageMap& map) {
   return {studyKey("image", &map.path, "a picture; integer values count as 0 to 1", {}, required,
                    Enters::nothing),  // the file's content enters
-          studyKey("channel", &map.channel, "of the picture", {0, 1023})};
+          studyKey("channel", &map.channel, "of the picture; without it three must be equal",
+                   {0, 1023})};
 }
 
 inline StudyKeys keysOf(ProjectedMap& map) {
