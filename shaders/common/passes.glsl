@@ -1,5 +1,22 @@
 // What the passes before this one left, for methods that declare them.
 
+// A pass over the texture stores one point of the surface a texel. Where charts of the texture lie over
+// each other a texel is that of the chart whose face comes first in the mesh: for the others it holds
+// a point of somewhere else. So every texel has a mark: the number of its chart, 0 where the surface
+// has no such texel.
+
+uniform bool chartsOverlap;  // else all texels that a pixel may meet are its own
+
+// Whether the answer of this pixel met a texel of another chart. A run reports how many do.
+bool hasMetOtherChart = false;
+
+// Whether a texel is another chart's than the pixel's, by its mark.
+bool isOfOtherChart(float mark) {
+  bool isOther = chartsOverlap && chart > 0 && mark > 0.0 && mark != float(chart);
+  hasMetOtherChart = hasMetOtherChart || isOther;
+  return isOther;
+}
+
 #if defined(PASS_TEXTURE) || defined(OWN_PASSES)
 
 // A texel of a level of a pass's target; beyond its sides the outermost.
@@ -36,8 +53,9 @@ vec4 passAt(sampler2D target, vec2 at, float level) {
 #endif
 }
 
-// Bilinear between the texels that the surface has, which a channel marks, at a place in texels of the
-// texture; `origin` is the target's corner there. 0 where the surface has none of them.
+// Bilinear between the texels that the surface has, which a channel marks, without those of another
+// chart, at a place in texels of the texture; `origin` is the target's corner there. 0 where there is
+// none of them.
 vec4 markedAt(sampler2D target, ivec2 origin, vec2 at, int mark) {
   vec2 corner = floor(at - 0.5);
   vec2 fraction = at - 0.5 - corner;
@@ -47,22 +65,38 @@ vec4 markedAt(sampler2D target, ivec2 origin, vec2 at, int mark) {
     ivec2 step = ivec2(k & 1, k >> 1);
     vec4 entry = passTexel(target, ivec2(corner) - origin + step, 0);
     vec2 along = mix(1.0 - fraction, fraction, vec2(step));
-    float weight = entry[mark] > 0.0 ? along.x * along.y : 0.0;
+    bool counts = entry[mark] > 0.0 && !isOfOtherChart(entry[mark]);
+    float weight = counts ? along.x * along.y : 0.0;
     sum += weight * entry;
     weights += weight;
   }
   return weights > 0.0 ? sum / weights : vec4(0.0);
 }
 
+// Whether one of the four texels about a place is another chart's: what a pass stored there is not
+// known for this pixel.
+bool otherChartAt(sampler2D target, ivec2 origin, vec2 at, int mark) {
+  if (!chartsOverlap) return false;
+  ivec2 corner = ivec2(floor(at - 0.5)) - origin;
+  bool isOther = false;
+  for (int k = 0; k < 4; ++k) {
+    isOther = isOfOtherChart(passTexel(target, corner + ivec2(k & 1, k >> 1), 0)[mark]) || isOther;
+  }
+  return isOther;
+}
+
 #endif
 
 #ifdef PASS_TEXTURE
 
-uniform sampler2D resolvedMap;   // the method's value, and 1 where the surface has the texel
+uniform sampler2D resolvedMap;   // the method's value, and the texel's mark
 uniform ivec2 resolvedOrigin;    // texel coordinates of its corner
 
 // The texture pass's value, bilinear between the texels that the surface has.
 float resolvedAt(vec2 texel) { return markedAt(resolvedMap, resolvedOrigin, texel, 1).r; }
+
+// Whether one of the texels about a place is another chart's, so that its value is not the pixel's.
+bool resolvedOtherChartAt(vec2 texel) { return otherChartAt(resolvedMap, resolvedOrigin, texel, 1); }
 
 #endif
 

@@ -11,6 +11,7 @@ layout(location = 7) in vec2 texel;
 layout(location = 8) flat in int face;
 layout(location = 9) in vec2 st;
 layout(location = 10) in vec4 vertexLight;  // interpolated: see surface.vert
+layout(location = 11) flat in int chart;    // of the texture, from 1; 0 where there is no surface
 
 uniform vec3 lightDirection;      // L: unit vector toward the light, world
 uniform bool heightInTexels;      // else in world units

@@ -12,12 +12,14 @@ layout(location = 7) out vec2 texel;
 layout(location = 8) flat out int face;
 layout(location = 9) out vec2 st;
 layout(location = 10) out vec4 vertexLight;
+layout(location = 11) flat out int chart;
 
 void main() {
   float nothing = uintBitsToFloat(0x7fc00000u);
   position = normal = px = py = v1 = v2 = vec3(nothing);
   curvatures = texel = st = vec2(nothing);
   face = -1;
+  chart = 0;
   vertexLight = vec4(nothing);
   gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }

@@ -12,6 +12,7 @@ layout(location = 6) in vec2 vertexCurvatures;
 layout(location = 7) in vec2 vertexTexel;
 layout(location = 8) in int vertexFace;
 layout(location = 9) in vec2 vertexSt;
+layout(location = 10) in int vertexChart;
 
 layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 normal;
@@ -24,6 +25,7 @@ layout(location = 7) out vec2 texel;
 layout(location = 8) flat out int face;
 layout(location = 9) out vec2 st;
 layout(location = 10) out vec4 vertexLight;
+layout(location = 11) flat out int chart;
 
 uniform mat4 clipFromWorld;
 // Columns and rows of face tiles where the view is an atlas; zero where it is a camera's.
@@ -64,6 +66,7 @@ void main() {
   texel = vertexTexel;
   face = vertexFace;
   st = vertexSt;
+  chart = vertexChart;
   vertexLight = lightAtVertex();
   if (texelWindow.z > 0.0) {
     gl_Position = vec4(2.0 * (vertexTexel - texelWindow.xy) / texelWindow.zw - 1.0, 0.0, 1.0);

@@ -4,6 +4,7 @@
 
 layout(location = 0) out float drawn;
 layout(location = 1) out float test;
+layout(location = 2) out uint otherChart;  // 1 where it met a texel of another chart
 
 void main() {
   Pixel pixel = makePixel();
@@ -13,4 +14,5 @@ void main() {
   // What is no number is no light.
   test = share > 0.0 ? min(share, 1.0) : 0.0;
   drawn = min(test, discShare(elevation / lightRadius));
+  otherChart = hasMetOtherChart ? 1u : 0u;
 }

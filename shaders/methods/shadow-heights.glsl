@@ -39,8 +39,9 @@ vec2 passEnds(Pixel pixel) {
   return ends;
 }
 
+// Where another chart has the texels, the heights are the pixel's own.
 float visibility(Pixel pixel, LocalLight light) {
-  vec2 ends = endsAt(pixel.texel);
+  vec2 ends = endsOtherChartAt(pixel.texel) ? passEnds(pixel) : endsAt(pixel.texel);
   float over = heightAt(pixel.texel) - ends.y;
   float between = ends.x - ends.y;
   return between > 0.0 ? over / between : (over > 0.0 ? 1.0 : 0.0);

@@ -14,13 +14,18 @@ azimuths = 8
 
 float resolveTexel(Pixel pixel) { return horizonAngleOfPixel(pixel); }
 
+// Where another chart has the texels, so it has in the table: the limit is all that is known.
+float horizonAngle(Pixel pixel) {
+  return resolvedOtherChartAt(pixel.texel) ? 1.0 : resolvedAt(pixel.texel);
+}
+
 bool isShadowed(Pixel pixel, LocalLight light) {
-  float horizon = resolvedAt(pixel.texel);
+  float horizon = horizonAngle(pixel);
   return !(toSteps(horizon - angleOfCosine(vertexLight.z)) > 0.0);
 }
 
 // The same horizon as a slope; its light is the pixel's own and not in steps.
 float horizonSlope(Pixel pixel, LocalLight light) {
-  float angle = angleLimit * resolvedAt(pixel.texel);
+  float angle = angleLimit * horizonAngle(pixel);
   return cos(angle) / max(sin(angle), 1e-9);
 }

@@ -25,14 +25,19 @@ azimuths = 8
 
 float resolveTexel(Pixel pixel) { return horizonAngleOfPixel(pixel); }
 
+// Where another chart has the texels, that pass was another light's: the pixel's own texel is asked.
+float horizonAngle(Pixel pixel) {
+  return resolvedOtherChartAt(pixel.texel) ? horizonAngleOfPixel(pixel) : resolvedAt(pixel.texel);
+}
+
 bool isShadowed(Pixel pixel, LocalLight light) {
-  float horizon = resolvedAt(pixel.texel);
+  float horizon = horizonAngle(pixel);
   return !(toSteps(horizon - angleOfCosine(vertexLight.w)) > 0.0);
 }
 
 // The same horizon as a slope in the world, whose light is the pixel's own and not in steps.
 float horizonSlope(Pixel pixel, LocalLight light) {
-  float angle = angleLimit * resolvedAt(pixel.texel);
+  float angle = angleLimit * horizonAngle(pixel);
   float slope = cos(angle) / max(sin(angle), 1e-9);
   return slope * pixel.worldPerHeight / (light.worldPerTexel * texelsPerHeight);
 }

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "end_to_end/support/program.h"
 
 namespace gnomon::test {
@@ -106,6 +108,40 @@ TEST_F(Notices, PiecesTooCoarseForTheMapAreNoticedAndThoseItNamesAreNot) {
   EXPECT_EQ(noticesOf(arch + "base = { subdivisions = 32 }\n").size(), 0U);
   EXPECT_LT(resultOf(summary("small"), "shadow-volume", "evening", "camera").at("error_rate"),
             coarse / 2);
+}
+
+TEST_F(Notices, ChartsThatOverlapAreNoticedWithTheirShareAndRefusedForSolids) {
+  // Two squares side by side, each half under the other in the texture.
+  write("two.obj",
+        "v -16 -16 0\nv 0 -16 0\nv 16 -16 0\nv -16 16 0\nv 0 16 0\nv 16 16 0\n"
+        "vt 0 0\nvt 0.5 0\nvt 0.5 1\nvt 0 1\nvt 0.25 0\nvt 0.75 0\nvt 0.75 1\nvt 0.25 1\n"
+        "f 1/1 2/2 5/3 4/4\nf 2/5 3/6 6/7 5/8\n");
+  const std::string onTwo =
+      replaced(replaced(smallStudy(), "shape = \"plane\"\nquads = [4, 4]\nsize = [32, 32]",
+                        "mesh = \"two.obj\""),
+               "step = 0.25", "step = 0.05");
+  const std::vector<std::string> notices =
+      noticesOf(onTwo + "[[method]]\nname = \"surface-march\"\n");
+  ASSERT_EQ(notices.size(), 2U);
+  EXPECT_THAT(notices[0], HasSubstr("Charts of the texture overlap: 50 % of the surface's area"));
+  EXPECT_THAT(notices[1], HasSubstr("“surface-march” at "));
+  const nlohmann::json found = summary("small");
+  EXPECT_EQ(found.at("texture").at("charts"), 2);
+  EXPECT_EQ(found.at("texture").at("charts_overlap"), true);
+  EXPECT_NEAR(found.at("texture").at("shared_area"), 0.5, 1e-12);
+  EXPECT_EQ(found.at("methods").at(0).at("other_chart_share"), 0);
+  EXPECT_GT(found.at("methods").at(2).at("other_chart_share"), 0.2);
+  EXPECT_LT(found.at("methods").at(2).at("other_chart_share"), 0.5);
+
+  const std::string patternOf = onTwo.substr(onTwo.find("pattern ="));
+  const std::string pattern = patternOf.substr(0, patternOf.find("height ="));
+  write("solid.toml",
+        replaced(onTwo, pattern, "solid = \"noise\"\nperiod = 8\ntexels = [32, 32]\n"));
+  const Outcome refused = gnomon({"run", "solid.toml"});
+  EXPECT_EQ(refused.status, 3);
+  // 8 of 24 columns of texels.
+  EXPECT_THAT(refused.err, HasSubstr("33.3 % of the surface's texels are asked for two heights"));
+  EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
 }
 
 TEST_F(Notices, ASweepTellsEachOnceAndWhereItHolds) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/error.h"
 #include "common/random_stream.h"
 #include "relief/patterns.h"
 #include "relief/triplanar.h"
@@ -165,6 +166,59 @@ TEST(SolidMap, EndsAtItsMargin) {
     const bool isNear = i >= 12 && i < 52;
     EXPECT_NEAR(field.texel(i, 32), isNear ? 5 + 2 * (i + 0.5 - 32) / 32 : 0, 1e-5) << i;
   }
+}
+
+/// Two planes, the second beside the first or on it, that have the same texture coordinates.
+surface::Cage stackedPlanes(double beside) {
+  surface::Cage cage = surface::makePlane(16, 16, 4, 4);
+  const surface::Cage first = cage;
+  const int offset = static_cast<int>(first.positions.size());
+  for (const Vec3& at : first.positions) cage.positions.push_back(at + Vec3(beside, 0, 0));
+  for (const int vertex : first.faceVertices) cage.faceVertices.push_back(vertex + offset);
+  cage.faceUvs.insert(cage.faceUvs.end(), first.faceUvs.begin(), first.faceUvs.end());
+  cage.grid = std::nullopt;
+  return cage;
+}
+
+TEST(SolidMap, RefusesChartsThatAskForTwoHeights) {
+  const SolidFunction alongX = [](const Vec3& p) { return 0.5 + p.x / 100; };
+  const SolidFunction alongY = [](const Vec3& p) { return 0.5 + p.y / 100; };
+  const auto mapOn = [](double beside, const SolidFunction& solid, double amplitude) {
+    return makeSolidMap(surface::LimitSurface(stackedPlanes(beside)), 32, 32, solid, amplitude,
+                        Wrap::clamp);
+  };
+  try {
+    (void)mapOn(20, alongX, 3);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("100 % of the surface's texels"), std::string::npos)
+        << error.what();
+  }
+  // The same heights, to less than a step of 16 bits; and no heights.
+  EXPECT_NO_THROW((void)mapOn(20, alongY, 3));
+  EXPECT_NO_THROW((void)mapOn(100 * 0.9 * solidStep, alongX, 3));
+  EXPECT_THROW((void)mapOn(100 * 1.1 * solidStep, alongX, 3), InputError);
+  EXPECT_NO_THROW((void)mapOn(20, alongX, 0));
+}
+
+TEST(SolidMap, ChartsThatOverlapModuloTheMapAreRefusedWhereItRepeats) {
+  surface::Cage cage = stackedPlanes(20);
+  const std::size_t corners = cage.faceUvs.size() / 2;
+  const auto uvs = static_cast<int>(cage.uvs.size());
+  for (int k = 0; k < uvs; ++k)
+    cage.uvs.push_back(cage.uvs[static_cast<std::size_t>(k)] + Vec2(3, -2));
+  for (std::size_t k = corners; k < 2 * corners; ++k) cage.faceUvs[k] += uvs;
+  const surface::LimitSurface surface(cage);
+  const SolidFunction solid = [](const Vec3& p) { return 0.5 + p.x / 100; };
+  EXPECT_NO_THROW((void)makeSolidMap(surface, 32, 32, solid, 3, Wrap::clamp));
+  EXPECT_THROW((void)makeSolidMap(surface, 32, 32, solid, 3, Wrap::repeat), InputError);
+}
+
+TEST(SolidMap, SpotFoldsAtSoFewTexelsThatItIsAccepted) {
+  const surface::LimitSurface spot(
+      surface::readMeshFile(std::string(GNOMON_SCENES) + "/meshes/spot_control_mesh.obj"));
+  EXPECT_NO_THROW(
+      (void)makeSolidMap(spot, 128, 128, solidFunction(SolidNoise{0.24}), 1, Wrap::clamp));
 }
 
 }  // namespace

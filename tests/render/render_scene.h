@@ -23,6 +23,7 @@
 #include "surface/base_mesh.h"
 #include "surface/cage/shapes.h"
 #include "surface/limit_surface.h"
+#include "surface/texture_layout.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon::test {
@@ -42,7 +43,8 @@ class RenderScene {
         mesh(surface::makeBaseMesh(surface, relief.texelsPerUv(), subdivisions)),
         texture(render::textureView(mesh)),
         bits_(bits),
-        gpuMesh_(mesh),
+        layout_(surface::textureLayout(surface)),
+        gpuMesh_(mesh, &layout_),
         gpuHeights_(relief.field),
         gpuHorizon_(horizon, tables),
         gpuDistance_(distance, tables) {}
@@ -185,6 +187,7 @@ class RenderScene {
 
  private:
   horizon::TableBits bits_;
+  surface::TextureLayout layout_;
   render::GpuMesh gpuMesh_;
   render::GpuHeights gpuHeights_;
   render::GpuTable gpuHorizon_;

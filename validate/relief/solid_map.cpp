@@ -10,12 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "common/error.h"
 #include "common/parallel.h"
 #include "common/system/memory.h"
 #include "relief/pattern_parts.h"
 #include "surface/curvature.h"
 #include "surface/limit_face.h"
 #include "surface/texel_frame.h"
+#include "surface/texture_layout.h"
 
 namespace gnomon::relief {
 namespace {
@@ -40,6 +42,13 @@ class FaceOnMap {
   }
   [[nodiscard]] bool hasArea() const {
     return cross(corners_[2] - corners_[0], corners_[3] - corners_[1]) != 0;
+  }
+
+  /// Whether a place lies inside, not on the border: exact.
+  [[nodiscard]] bool holds(Vec2 place) const {
+    const std::vector<surface::TextureTriangle> triangles = surface::trianglesOf(corners_);
+    return std::any_of(triangles.begin(), triangles.end(),
+                       [&](const auto& triangle) { return surface::isInside(triangle, place); });
   }
 
   /// The face's nearest place with its parameters, and how far it is: 0 for a place on the face.
@@ -103,12 +112,18 @@ class FaceOnMap {
   std::array<Vec2, 4> corners_;
 };
 
-/// The face that a texel takes its height from, and where.
-struct Owner {
-  float distance = std::numeric_limits<float>::infinity();
+/// A place of a face that a texel may take its height from.
+struct Claim {
   int face = -1;
   glm::vec2 parameters{0};
   glm::vec2 beyond{0};  ///< from that place to the texel's centre, texels
+};
+
+/// The claim that a texel's height is taken from.
+struct Owner {
+  float distance = std::numeric_limits<float>::infinity();
+  Claim claim;
+  bool isDisputed = false;  ///< another face that holds the texel's centre asks for another height
 };
 
 class Owners {
@@ -120,7 +135,9 @@ class Owners {
         owners_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
   /// Offers a face all texels within the margin.
-  void offer(int face, const FaceOnMap& map) {
+  /// @param agree  whether two claims on one texel ask for the same height
+  template <typename Agree>
+  void offer(int face, const FaceOnMap& map, const Agree& agree) {
     const Vec2 size(width_, height_);
     Vec2 low = map.least() - solidMargin;
     Vec2 high = map.most() + solidMargin;
@@ -133,17 +150,27 @@ class Owners {
         const Vec2 centre(i + 0.5, j + 0.5);
         const auto nearest = map.nearest(centre);
         Owner& owner = at(i, j);
-        if (nearest.distance > solidMargin ||
-            !(static_cast<float>(nearest.distance) < owner.distance)) {
-          continue;
+        if (nearest.distance > solidMargin) continue;
+        const Claim claim = {face, nearest.parameters, centre - nearest.place};
+        if (static_cast<float>(nearest.distance) < owner.distance) {
+          owner = {static_cast<float>(nearest.distance), claim};
+        } else if (nearest.distance == 0 && !owner.isDisputed && map.holds(centre)) {
+          owner.isDisputed = !agree(owner.claim, claim);
         }
-        owner = {static_cast<float>(nearest.distance), face, nearest.parameters,
-                 centre - nearest.place};
       }
     }
   }
 
   [[nodiscard]] const std::vector<Owner>& list() const { return owners_; }
+
+  /// Of the texels whose centre a face holds, the share that two ask different heights of.
+  [[nodiscard]] double disputedShare() const {
+    const auto held = std::count_if(owners_.begin(), owners_.end(),
+                                    [](const Owner& owner) { return owner.distance == 0; });
+    const auto disputed = std::count_if(owners_.begin(), owners_.end(),
+                                        [](const Owner& owner) { return owner.isDisputed; });
+    return disputed > 0 ? static_cast<double>(disputed) / static_cast<double>(held) : 0;
+  }
 
  private:
   Owner& at(double i, double j) {
@@ -184,24 +211,36 @@ HeightField makeSolidMap(const surface::LimitSurface& surface, int width, int he
                 fmt::format("a solid on a map of {} × {} texels", width, height));
   const std::vector<surface::LimitFace> faces =
       surface::limitFaces(surface, static_cast<std::size_t>(texels));
+  const auto valueAt = [&](const Claim& claim) {
+    const surface::LimitFace& face = faces[static_cast<std::size_t>(claim.face)];
+    const Vec2 parameters(claim.parameters);
+    const surface::TexelFrame frame =
+        surface::texelFrame(face.at(parameters.x, parameters.y), texelsPerUv);
+    const Vec2 past(claim.beyond);
+    const Vec3 beyond = past.x * frame.px + past.y * frame.py;
+    return solid(frame.position + beyond, turnedNormal(face, parameters, frame.normal, beyond));
+  };
+  const auto agree = [&](const Claim& a, const Claim& b) {
+    return amplitude == 0 || std::abs(valueAt(a) - valueAt(b)) <= solidStep;
+  };
   Owners owners(width, height, wrap);
   for (std::size_t face = 0; face < faces.size(); ++face) {
     const FaceOnMap map(faces[face], texelsPerUv);
-    if (map.hasArea()) owners.offer(static_cast<int>(face), map);
+    if (map.hasArea()) owners.offer(static_cast<int>(face), map, agree);
+  }
+  if (const double share = owners.disputedShare(); share > mostDisputed) {
+    throw InputError(fmt::format(
+        "{:.3g} % of the surface's texels are asked for two heights, since charts of the texture "
+        "overlap there: charts that share no texels expected, or a `pattern` or an `image` without "
+        "`projection`",
+        100 * share));
   }
   const std::vector<Owner>& list = owners.list();
   return sampledMap(width, height, amplitude, wrap, [&](Vec2 centre) {
     const auto column = static_cast<std::size_t>(centre.x);
     const auto row = static_cast<std::size_t>(centre.y);
     const Owner& owner = list[row * static_cast<std::size_t>(width) + column];
-    if (owner.face < 0) return 0.0;
-    const surface::LimitFace& face = faces[static_cast<std::size_t>(owner.face)];
-    const Vec2 parameters(owner.parameters);
-    const surface::TexelFrame frame =
-        surface::texelFrame(face.at(parameters.x, parameters.y), texelsPerUv);
-    const Vec2 past(owner.beyond);
-    const Vec3 beyond = past.x * frame.px + past.y * frame.py;
-    return solid(frame.position + beyond, turnedNormal(face, parameters, frame.normal, beyond));
+    return owner.claim.face < 0 ? 0.0 : valueAt(owner.claim);
   });
 }
 

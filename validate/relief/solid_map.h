@@ -21,10 +21,13 @@ namespace gnomon::relief {
 /// All farther texels are 0.
 ///
 /// Of several faces that a texel may belong to, the nearest has it, and of equally near ones the
-/// first: charts that lie on one another, or nearer to each other than two texels, do take each
-/// other's texels, and there the two sides do jump. Where the map repeats, texture coordinates
-/// count modulo the map; otherwise faces outside [0, 1] have no texels.
-/// @throws MemoryError naming `relief.size`; InputError for a map without texels
+/// first: charts that are nearer to each other than two texels do take each other's texels, and
+/// there the two sides do jump. Where the map repeats, texture coordinates count modulo the map;
+/// otherwise faces outside [0, 1] have no texels.
+/// Charts that lie on one another tear the relief: a texel has one height. Where a texel's centre
+/// lies inside two faces that ask for heights more than `solidStep` apart it is disputed.
+/// @throws MemoryError naming `relief.size`; InputError for a map without texels, and where more
+///   than `mostDisputed` of the texels whose centres faces hold are disputed
 HeightField makeSolidMap(const surface::LimitSurface& surface, int width, int height,
                          const SolidFunction& solid, double amplitude, Wrap wrap);
 
@@ -38,5 +41,12 @@ HeightField makeSolidMap(const surface::LimitSurface& surface, int width, int he
                          const SurfaceFunction& solid, double amplitude, Wrap wrap);
 
 constexpr double solidMargin = 4;  ///< texels
+
+/// Two values of a solid are the same height within a step of a height map of 16 bits.
+constexpr double solidStep = 1.0 / 65535;
+
+/// The share of a surface's texels that may be disputed: artists' charts fold over themselves at
+/// single faces (Spot's at 0.0017 of its texels).
+constexpr double mostDisputed = 0.005;
 
 }  // namespace gnomon::relief

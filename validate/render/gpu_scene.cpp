@@ -28,6 +28,7 @@ struct GpuVertex {
   glm::vec2 texel;
   std::int32_t face;
   glm::vec2 st;
+  std::int32_t chart;
 };
 
 constexpr std::array gpuVertexLayout = {
@@ -41,16 +42,18 @@ constexpr std::array gpuVertexLayout = {
     gl::Attribute{7, 2, offsetof(GpuVertex, texel)},
     gl::Attribute{8, 1, offsetof(GpuVertex, face), GL_INT},
     gl::Attribute{9, 2, offsetof(GpuVertex, st)},
+    gl::Attribute{10, 1, offsetof(GpuVertex, chart), GL_INT},
 };
 
-GpuVertex gpuVertex(const surface::BaseVertex& v) {
+GpuVertex gpuVertex(const surface::BaseVertex& v, std::int32_t chart) {
   const auto& [frame, principal, face, st] = v;
   return {{glm::vec3(frame.position), glm::vec3(frame.normal), glm::vec3(frame.px),
            glm::vec3(frame.py), glm::vec3(principal.v1), glm::vec3(principal.v2)},
           glm::vec2(principal.k1, principal.k2),
           glm::vec2(frame.texel),
           face,
-          glm::vec2(st)};
+          glm::vec2(st),
+          chart};
 }
 
 }  // namespace
@@ -65,11 +68,16 @@ Sphere boundingSphere(const surface::BaseMesh& mesh) {
   return {(low + high) / 2.0, glm::length(high - low) / 2};
 }
 
-GpuMesh::GpuMesh(const surface::BaseMesh& mesh)
-    : triangleCount_(mesh.triangleCount()), bounds_(boundingSphere(mesh)) {
+GpuMesh::GpuMesh(const surface::BaseMesh& mesh, const surface::TextureLayout* layout)
+    : triangleCount_(mesh.triangleCount()),
+      bounds_(boundingSphere(mesh)),
+      chartsOverlap_(layout != nullptr && !layout->isOneToOne) {
   std::vector<GpuVertex> vertices;
   vertices.reserve(mesh.vertices.size());
-  for (const surface::BaseVertex& vertex : mesh.vertices) vertices.push_back(gpuVertex(vertex));
+  for (const surface::BaseVertex& vertex : mesh.vertices) {
+    const auto face = static_cast<std::size_t>(vertex.face);
+    vertices.push_back(gpuVertex(vertex, layout == nullptr ? 1 : layout->charts[face]));
+  }
   vertices_ = gl::makeBuffer(std::as_bytes(std::span(vertices)));
   indices_ = gl::makeBuffer(std::as_bytes(std::span(mesh.triangles)));
   layout_ = gl::makeVertexArray(vertices_, sizeof(GpuVertex), gpuVertexLayout);

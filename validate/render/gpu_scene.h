@@ -8,6 +8,7 @@
 #include "relief/relief.h"
 #include "render/gl_handles.h"
 #include "surface/base_mesh.h"
+#include "surface/texture_layout.h"
 
 namespace gnomon::render {
 
@@ -23,9 +24,12 @@ Sphere boundingSphere(const surface::BaseMesh& mesh);
 /// A mesh in GL buffers.
 class GpuMesh {
  public:
-  explicit GpuMesh(const surface::BaseMesh& mesh);
+  /// @param layout  of the mesh's surface; without it all faces are one chart
+  explicit GpuMesh(const surface::BaseMesh& mesh, const surface::TextureLayout* layout = nullptr);
   [[nodiscard]] const Sphere& bounds() const { return bounds_; }
   [[nodiscard]] std::size_t triangleCount() const { return triangleCount_; }
+  /// Whether charts of its texture overlap: a texel may belong to another chart than a pixel.
+  [[nodiscard]] bool chartsOverlap() const { return chartsOverlap_; }
   void draw() const;
 
  private:
@@ -34,6 +38,7 @@ class GpuMesh {
   gl::VertexArray layout_;
   std::size_t triangleCount_;
   Sphere bounds_;
+  bool chartsOverlap_;
 };
 
 /// A displaced mesh in GL buffers, every triangle with its neighbours, for shadow volumes.

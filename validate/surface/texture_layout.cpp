@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <iterator>
 #include <limits>
-#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "common/parallel.h"
 #include "surface/shared_sides.h"
@@ -15,7 +15,10 @@ namespace {
 
 /// What is left of a triangle's area after so small a part is none.
 constexpr double nothing = 1e-12;
-/// A triangle that is cut into more pieces is not cut on: a bound for coordinates without sense.
+// Where many charts are stacked a triangle is not cut on once others cover it so many times over,
+// those that cut nothing from it counting an eighth, nor once it is in so many pieces: its share is
+// then what they cover.
+constexpr double mostCovers = 4;
 constexpr std::size_t mostPieces = 1024;
 
 double cross(Vec2 a, Vec2 b) {
@@ -69,22 +72,60 @@ Polygon partOf(const Polygon& polygon, Vec2 a, Vec2 b, double side) {
   return part;
 }
 
-/// Takes a triangle away from what is left of another.
-/// @param least  pieces of this area and less are left out
-void subtract(std::vector<Polygon>& pieces, const TextureTriangle& taken, double least) {
-  std::vector<Polygon> left;
-  for (Polygon& piece : pieces) {
-    for (std::size_t k = 0; k < 3 && !piece.empty(); ++k) {
-      const Vec2 a = taken.at(k);
-      const Vec2 b = taken.at((k + 1) % 3);
-      Polygon outside = partOf(piece, a, b, -1);
-      if (areaOf(outside) > least) left.push_back(std::move(outside));
-      piece = partOf(piece, a, b, 1);
-      if (!(areaOf(piece) > least)) piece.clear();
-    }
+/// What is left of a triangle while others are taken away.
+class Rest {
+ public:
+  explicit Rest(const TextureTriangle& triangle)
+      : whole_(triangle.begin(), triangle.end()), pieces_{whole_}, area_(areaOf(whole_)) {}
+
+  /// The area that was taken away.
+  [[nodiscard]] double taken() const {
+    double left = 0;
+    for (const Polygon& piece : pieces_) left += areaOf(piece);
+    return area_ - left;
   }
-  pieces = std::move(left);
-}
+
+  /// @returns whether to take away more
+  bool takeAway(const TextureTriangle& other) {
+    std::vector<Polygon> left;
+    bool isCut = false;
+    for (Polygon& piece : pieces_) {
+      std::vector<Polygon> outside;
+      if (cut(piece, other, &outside) > 0) {
+        isCut = true;
+        std::move(outside.begin(), outside.end(), std::back_inserter(left));
+      } else {
+        left.push_back(std::move(piece));
+      }
+    }
+    pieces_ = std::move(left);
+    covers_ += cut(whole_, other, nullptr) / area_ / (isCut ? 1 : 8);
+    return !pieces_.empty() && pieces_.size() < mostPieces && covers_ < mostCovers;
+  }
+
+ private:
+  /// The area of a polygon that lies under a triangle, 0 where that is next to nothing.
+  /// @param outside  receives the rest in pieces; may be null
+  double cut(Polygon inside, const TextureTriangle& other, std::vector<Polygon>* outside) const {
+    const double least = nothing * area_;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2 a = other.at(k);
+      const Vec2 b = other.at((k + 1) % 3);
+      if (outside != nullptr) {
+        Polygon out = partOf(inside, a, b, -1);
+        if (areaOf(out) > least) outside->push_back(std::move(out));
+      }
+      inside = partOf(inside, a, b, 1);
+      if (!(areaOf(inside) > least)) return 0;
+    }
+    return areaOf(inside);
+  }
+
+  Polygon whole_;
+  std::vector<Polygon> pieces_;
+  double area_;
+  double covers_ = 0;  ///< how many times over it is covered
+};
 
 bool areSeparated(const TextureTriangle& a, const TextureTriangle& b) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -286,16 +327,12 @@ std::vector<std::optional<double>> coveredShares(const FacesInTexture& faces) {
       0, entries.size(),
       [&](std::size_t k) {
         const TriangleTree::Entry& entry = entries[k];
-        const auto& [a, b, c] = entry.corners;
-        std::vector<Polygon> pieces = {{a, b, c}};
-        const double all = areaOf(pieces[0]);
+        Rest rest(entry.corners);
         const auto isAny = [](const TriangleTree::Entry&) { return true; };
         faces.tree().forEachOver(entry, isAny, [&](const TriangleTree::Entry& other) {
-          subtract(pieces, other.corners, nothing * all);
-          double left = 0;
-          for (const Polygon& piece : pieces) left += areaOf(piece);
-          covered[k] = all - left;
-          return !pieces.empty() && pieces.size() < mostPieces;
+          const bool isMore = rest.takeAway(other.corners);
+          covered[k] = rest.taken();
+          return isMore;
         });
       },
       64);

@@ -29,7 +29,9 @@ void keep(Map& map, const InUse& inUse) {
 }  // namespace
 
 DrawnMeshData::DrawnMeshData(const MeshData& of)
-    : gpu(of.mesh()), volumes(volumesOf(of)), texture(render::textureView(of.mesh())) {}
+    : gpu(of.mesh(), of.layout.get()),
+      volumes(volumesOf(of)),
+      texture(render::textureView(of.mesh())) {}
 
 void DrawnScene::install(std::shared_ptr<const SceneData> scene) {
   const bool again = data_ && data_->shaders != scene->shaders;

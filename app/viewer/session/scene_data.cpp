@@ -142,6 +142,7 @@ void SceneMaker::addMesh(SceneData& scene, study::MeshChoice choice, const Scene
                                                 choice.base.curvature),
                           {}};
   });
+  data.layout = scene.layout;
   scene.meshes.emplace(choice, std::make_shared<const MeshData>(std::move(data)));
 }
 
@@ -171,6 +172,10 @@ std::shared_ptr<const SceneData> SceneMaker::make(const SceneRequest& request,
   progress("Finding the limit surface")(0);
   scene->surface = sameSurface ? last_->surface
                                : std::make_shared<const surface::LimitSurface>(scene->study->cage);
+  scene->layout =
+      sameSurface
+          ? last_->layout
+          : std::make_shared<const surface::TextureLayout>(surface::textureLayout(*scene->surface));
   scene->heights = sameRelief
                        ? last_->heights
                        : std::make_shared<const relief::HeightField>(scene->study->relief.field);

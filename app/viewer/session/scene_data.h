@@ -20,6 +20,7 @@
 #include "study/spec/study_file.h"
 #include "surface/base_mesh.h"
 #include "surface/limit_surface.h"
+#include "surface/texture_layout.h"
 
 namespace gnomon::app {
 
@@ -51,6 +52,7 @@ struct TableImagePair {
 struct MeshData {
   surface::BaseMesh base;  ///< of a displaced mesh: empty, see `displaced`
   std::optional<displaced::DisplacedMesh> displaced;
+  std::shared_ptr<const surface::TextureLayout> layout = {};  ///< of its surface
   [[nodiscard]] const surface::BaseMesh& mesh() const { return displaced ? displaced->mesh : base; }
 };
 
@@ -81,6 +83,7 @@ struct SceneData {
 
   std::shared_ptr<const study::StudySpec> study;
   std::shared_ptr<const surface::LimitSurface> surface;
+  std::shared_ptr<const surface::TextureLayout> layout;
   std::shared_ptr<const relief::HeightField> heights;
   double texelsPerHeight = 1;  ///< of the frame of angles (texel_scale.h)
   std::map<study::MeshChoice, std::shared_ptr<const MeshData>> meshes;

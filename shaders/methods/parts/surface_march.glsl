@@ -36,8 +36,8 @@ about = "longest part of the way between two of its places that are solved for, 
 // lines of texel centres, as in geodesic-march: what is H high is seen at O + s r + (H - η) a n.
 //
 // The march ends over the highest bump, where the ray rises and the surface does not bend up to it;
-// at the end of the map or of the search; at the border of a chart; and in a fold so narrow that
-// columns of relief meet.
+// at the end of the map or of the search; at the border of a chart, and where another chart has the
+// texels; and in a fold so narrow that columns of relief meet.
 
 vec3 passPoint(Pixel pixel) { return surfacePoint(pixel); }
 
@@ -47,7 +47,7 @@ vec3 passColumn(Pixel pixel) { return pixel.worldPerHeight * pixel.normal; }
 struct Surface {
   vec3 point, pointX, pointY;     // P, world
   vec3 column, columnX, columnY;  // a n, world
-  bool isKnown;                   // whether all four texels about the place are of the surface
+  bool isKnown;                   // whether all four texels about the place are its chart's
 };
 
 // The axes along which the surface may close: the map repeats there, and covers it once.
@@ -86,10 +86,15 @@ Surface surfaceAt(vec2 at) {
   vec3 c11 = passTexel(columnPass, high, 0).xyz;
 
   Surface there;
-  // The last channel of a pass over the texture is 1 where the surface has the texel. A border is half a
-  // texel beyond the outermost centres, and a bent path may miss it by a little.
+  // The last channel of a pass over the texture is a texel's mark. A border is half a texel beyond the
+  // outermost centres, and a bent path may miss it by a little.
   there.isKnown = min(min(p00.w, p10.w), min(p01.w, p11.w)) > 0.0 &&
                   all(lessThan(abs(f - 0.5), vec2(1.5)));
+  if (chartsOverlap) {
+    bvec4 others = bvec4(isOfOtherChart(p00.w), isOfOtherChart(p10.w), isOfOtherChart(p01.w),
+                         isOfOtherChart(p11.w));
+    there.isKnown = there.isKnown && !any(others);
+  }
   there.column = mix(mix(c00, c10, f.x), mix(c01, c11, f.x), f.y);
   there.columnX = mix(c10 - c00, c11 - c01, f.y);
   there.columnY = mix(c01 - c00, c11 - c10, f.x);
@@ -121,7 +126,8 @@ bool goesOn(Surface there, vec3 nearbyX, vec3 nearbyY) {
 }
 
 // The surface at a pixel: by the maps, so that the march begins where they are, or by the pixel's own
-// frame at a chart's border and where a map that seems to close does not.
+// frame at a chart's border, where another chart has the texels, and where a map that seems to close
+// does not.
 Surface surfaceOf(Pixel pixel) {
   Surface there = surfaceAt(pixel.texel);
   if (there.isKnown && goesOn(there, pixel.px, pixel.py)) return there;

@@ -55,6 +55,27 @@ TEST_F(UncertaintyNotice, InTheQuickFormNamesTheKeysAsTheStudyHasThem) {
   EXPECT_THAT(asked, HasSubstr("truth.uncertainty = 0.003 (now 0.005)."));
 }
 
+TEST(Notices, OverlapIsToldWithItsShare) {
+  surface::TextureLayout layout;
+  EXPECT_EQ(overlapNotice(layout), std::nullopt);
+  layout.isOneToOne = false;
+  layout.sharedArea = 0.02534;
+  EXPECT_THAT(overlapNotice(layout).value(), HasSubstr("2.53 % of the surface's area"));
+}
+
+TEST(Notices, MethodsThatMetOtherChartsAreNamedWithTheirShares) {
+  std::vector<MethodRecord> methods(3);
+  methods[0].label = "one";
+  methods[1].label = "two";
+  methods[2].label = "three";
+  methods[1].otherChartShare = 0;
+  EXPECT_EQ(otherChartNotice(methods), std::nullopt);
+  methods[0].otherChartShare = 0.125;
+  methods[2].otherChartShare = 0.00001;
+  EXPECT_THAT(otherChartNotice(methods).value(),
+              HasSubstr(": “one” at 12.5 % of the samples, “three” at 0.001 % of the samples."));
+}
+
 TEST(Notices, PiecesLongerThanTwoTexelsAreTooCoarse) {
   // Figure 8's: 8 texels a face.
   EXPECT_EQ(coarsePiecesNotice("shadow-volume", 9, 8), std::nullopt);

@@ -74,6 +74,7 @@ void setRelief(GLuint program, const GpuHeights& heights, relief::HeightSpace sp
 void setDrawing(GLuint program, const Drawing& drawing) {
   setUniform(program, "lightDirection", drawing.light);
   setUniform(program, "lightRadius", drawing.lightRadius);
+  setUniform(program, "chartsOverlap", drawing.mesh.chartsOverlap() ? 1 : 0);
   setRelief(program, drawing.heights, drawing.heightSpace, drawing.texelsPerHeight);
 }
 

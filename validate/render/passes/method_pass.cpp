@@ -23,6 +23,11 @@ namespace {
 constexpr std::uint8_t testShadowed = 1;
 constexpr std::uint8_t drawnShadowed = 2;
 constexpr std::uint8_t noAnswer = 4;
+constexpr std::uint8_t metOtherChart = 8;
+
+double share(std::ptrdiff_t some, std::ptrdiff_t all) {
+  return all > 0 ? static_cast<double>(some) / static_cast<double>(all) : 0;
+}
 
 Mask maskOf(const RenderView& view, const std::vector<std::uint8_t>& answers, std::uint8_t bit) {
   Mask mask{view.width, view.height, std::vector<Shade>(answers.size())};
@@ -63,26 +68,29 @@ std::vector<OwnPass> ownPasses(const Method& method) {
 }
 
 /// A pass that resolves texels keeps its values in the bits of the angles that it reads; without
-/// any, in floats.
-horizon::TableBits bitsOf(const OwnPass& pass, const GpuTables& tables) {
+/// any, in floats. Where charts overlap, always in floats: fewer bits do not hold charts' numbers.
+horizon::TableBits bitsOf(const OwnPass& pass, const GpuTables& tables, bool chartsOverlap) {
+  if (pass.isMarked() && chartsOverlap) return horizon::TableBits::thirtyTwo;
   if (pass.bits) return *pass.bits;
   return tables.angles != nullptr ? tables.angles->bits() : horizon::TableBits::thirtyTwo;
 }
 
-double targetBytes(const OwnPass& pass, const GpuTables& tables, glm::dvec2 size) {
+double targetBytes(const OwnPass& pass, const GpuTables& tables, bool chartsOverlap,
+                   glm::dvec2 size) {
   const double levels = pass.mips ? 4.0 / 3 : 1;
   return size.x * size.y * levels * pass.storedChannels() *
-         static_cast<double>(bitsOf(pass, tables)) / 8;
+         static_cast<double>(bitsOf(pass, tables, chartsOverlap)) / 8;
 }
 
-Target makeTarget(const OwnPass& pass, const GpuTables& tables, glm::ivec2 size) {
+Target makeTarget(const OwnPass& pass, const GpuTables& tables, bool chartsOverlap,
+                  glm::ivec2 size) {
   const auto channel = static_cast<std::size_t>(pass.storedChannels() - 1);
   const Target::Reading reading = pass.mips         ? Target::Reading::mips
                                   : pass.isMarked() ? Target::Reading::texels
                                                     : Target::Reading::filtered;
   return {size.x,
           size.y,
-          {pixelFormat(bitsOf(pass, tables)).sized.at(channel)},
+          {pixelFormat(bitsOf(pass, tables, chartsOverlap)).sized.at(channel)},
           Target::Stencil::none,
           reading};
 }
@@ -156,7 +164,8 @@ std::uint64_t MethodPass::passBytes(const RenderView* view, const Drawing& drawi
     return view == nullptr ? glm::dvec2(0) : glm::dvec2(view->width, view->height);
   };
   for (const OwnPass& pass : own_) {
-    bytes += static_cast<std::uint64_t>(targetBytes(pass, tables, sizeOf(pass.root)));
+    bytes += static_cast<std::uint64_t>(
+        targetBytes(pass, tables, drawing.mesh.chartsOverlap(), sizeOf(pass.root)));
   }
   if (readsLightDepth_) {
     const auto side = static_cast<std::uint64_t>(depthSide());
@@ -180,9 +189,9 @@ class MethodPass::Frame {
         tables_(tables),
         isShare_(pass.answersInShares(drawing)),
         held_(pass.targets_ ? *pass.targets_ : own_),
-        answers_(held_.get(
-            view.width, view.height,
-            isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F} : std::vector<GLenum>{GL_R8UI})) {
+        answers_(held_.get(view.width, view.height,
+                           isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F, GL_R8UI}
+                                    : std::vector<GLenum>{GL_R8UI})) {
     if (pass.seesLight()) {
       const double side = pass.depthSide();
       requireMemory(side * side * sizeof(GLfloat),
@@ -191,10 +200,11 @@ class MethodPass::Frame {
     }
     for (const OwnPass& own : pass.own_) {
       const RenderView& on = viewOf(own.root);
-      requireMemory(targetBytes(own, tables, {on.width, on.height}),
+      const bool chartsOverlap = drawing.mesh.chartsOverlap();
+      requireMemory(targetBytes(own, tables, chartsOverlap, {on.width, on.height}),
                     fmt::format("method {}: pass `{}` of {} × {} texels", pass.name_, own.name,
                                 on.width, on.height));
-      targets_.push_back(makeTarget(own, tables, {on.width, on.height}));
+      targets_.push_back(makeTarget(own, tables, chartsOverlap, {on.width, on.height}));
     }
     if (pass.passes_.lightDepth && !pass.passes_.hasOwn(PassRaster::light)) {
       depth_.emplace(light_.width, light_.height, std::vector<GLenum>{});
@@ -239,7 +249,13 @@ class MethodPass::Frame {
 
   [[nodiscard]] MethodAnswers masks() const {
     const auto bits = answers_.read<std::uint8_t>(0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1);
-    return {maskOf(view_, bits, drawnShadowed), maskOf(view_, bits, testShadowed)};
+    const auto met = std::count_if(bits.begin(), bits.end(), [](std::uint8_t answer) {
+      return (answer & metOtherChart) != 0;
+    });
+    const auto samples = std::count_if(bits.begin(), bits.end(),
+                                       [](std::uint8_t answer) { return answer != noAnswer; });
+    return {maskOf(view_, bits, drawnShadowed), maskOf(view_, bits, testShadowed),
+            share(met, samples)};
   }
 
   /// The texels that a sample's answer reads, the mean, once its passes are drawn.
@@ -252,8 +268,13 @@ class MethodPass::Frame {
   }
 
   [[nodiscard]] VisibilityAnswers shares() const {
-    return {visibilityOf(view_, answers_.read<float>(0, GL_RED, GL_FLOAT, 1)),
-            visibilityOf(view_, answers_.read<float>(1, GL_RED, GL_FLOAT, 1))};
+    const auto drawn = answers_.read<float>(0, GL_RED, GL_FLOAT, 1);
+    const auto met = answers_.read<std::uint8_t>(2, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1);
+    const auto samples =
+        std::count_if(drawn.begin(), drawn.end(), [](float answer) { return answer != noShare; });
+    return {visibilityOf(view_, drawn),
+            visibilityOf(view_, answers_.read<float>(1, GL_RED, GL_FLOAT, 1)),
+            share(std::count(met.begin(), met.end(), std::uint8_t{1}), samples)};
   }
 
  private:
@@ -269,6 +290,8 @@ class MethodPass::Frame {
     answers_.clearDepth();
     if (isShare_) {
       clearShares(answers_, 2);
+      const std::array<GLuint, 4> notMet = {0, 0, 0, 0};
+      glClearNamedFramebufferuiv(answers_.framebuffer(), GL_COLOR, 2, notMet.data());
     } else {
       const std::array<GLuint, 4> none = {noAnswer, 0, 0, 0};
       glClearNamedFramebufferuiv(answers_.framebuffer(), GL_COLOR, 0, none.data());
@@ -441,7 +464,7 @@ VisibilityAnswers MethodPass::renderVisibility(const RenderView& view, const Dra
                                                const FrameDrawer& drawer) const {
   if (!answersInShares(drawing)) {
     const MethodAnswers answers = render(view, drawing, tables, drawer);
-    return {visibilityOf(answers.drawn), visibilityOf(answers.test)};
+    return {visibilityOf(answers.drawn), visibilityOf(answers.test), answers.otherChartShare};
   }
   const Frame frame(*this, view, drawing, tables);
   drawBy(drawer, frame);

@@ -31,6 +31,8 @@ struct MethodAnswers {
   Mask drawn;
   /// The result of `isShadowed` alone.
   Mask test;
+  /// The share of the samples whose answer met a texel of another chart than their own.
+  double otherChartShare = 0;
 };
 
 /// A method's two answers as shares of the light's disc, 0 to 1 for every sample of a view.
@@ -42,6 +44,7 @@ struct VisibilityAnswers {
   /// What the method's `visibility` or its horizon says; of others `MethodAnswers::test` as 1 and
   /// 0.
   Visibility test;
+  double otherChartShare = 0;  ///< as of MethodAnswers
 };
 
 /// What a method's frames cost.

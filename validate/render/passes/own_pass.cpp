@@ -201,6 +201,11 @@ std::string passAccess(const std::vector<OwnPass>& passes) {
     define("At", "vec2 at",
            pass.isMarked() ? fmt::format("markedAt({}, {}, at, {})", target, corner, pass.channels)
                            : fmt::format("passAt({}, at, 0)", target));
+    if (pass.isMarked()) {
+      text +=
+          fmt::format("bool {}OtherChartAt(vec2 at) {{ return otherChartAt({}, {}, at, {}); }}\n",
+                      pass.name, target, corner, pass.channels);
+    }
     if (!pass.mips) continue;
     define("Texel", "ivec2 at, int level", fmt::format("passTexel({}, at, level)", target));
     define("At", "vec2 at, float level", fmt::format("passAt({}, at, level)", target));
@@ -210,7 +215,7 @@ std::string passAccess(const std::vector<OwnPass>& passes) {
 
 std::string passMain(const OwnPass& pass, const std::vector<OwnPass>& passes) {
   std::string argument = "makePixel()";
-  std::string mark = "1.0";
+  std::string mark = "float(chart)";
   if (pass.raster == PassRaster::light) argument += ", gl_FragCoord.z";
   if (pass.source) {
     const OwnPass& source = passes.at(*pass.source);

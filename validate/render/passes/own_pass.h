@@ -43,7 +43,8 @@ struct OwnPass {
   /// The uniforms of its target, and of the texel at the target's corner.
   [[nodiscard]] std::string sampler() const { return resolves ? "resolvedMap" : name + "Pass"; }
   [[nodiscard]] std::string origin() const { return resolves ? "resolvedOrigin" : name + "Origin"; }
-  /// Whether a further channel, after the values, says where the surface has the texel.
+  /// Whether a further channel, after the values, marks the texels that the surface has: by the
+  /// number of the chart whose it is, in 8 and 16 bits by 1.
   [[nodiscard]] bool isMarked() const { return root == PassRaster::texture; }
   /// Of the target: some numbers of channels cannot be drawn into.
   [[nodiscard]] int storedChannels() const;

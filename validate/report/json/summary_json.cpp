@@ -11,9 +11,19 @@ namespace gnomon::report {
 namespace {
 
 Json methodJson(const study::MethodRecord& method) {
-  return {{"label", method.label},        {"name", method.name},
-          {"title", method.title},        {"citation", method.citation},
-          {"family", method.mark.family}, {"symbol", method.mark.symbol}};
+  return {{"label", method.label},
+          {"name", method.name},
+          {"title", method.title},
+          {"citation", method.citation},
+          {"family", method.mark.family},
+          {"symbol", method.mark.symbol},
+          {"other_chart_share", jsonNumber(method.otherChartShare, "methods.other_chart_share")}};
+}
+
+Json jsonTexture(const study::TextureRecord& texture) {
+  return {{"charts", texture.charts},
+          {"charts_overlap", texture.chartsOverlap},
+          {"shared_area", jsonNumber(texture.sharedArea, "texture.shared_area")}};
 }
 
 Json resultJson(const study::ResultRecord& result) {
@@ -172,6 +182,7 @@ std::string summaryJson(const study::StudyRecord& record) {
       {"study", jsonStudy(record)},
       {"environment", jsonEnvironment(record.environment)},
       {"search_radius", jsonRadius(record.radius)},
+      {"texture", jsonTexture(record.texture)},
       {"truth", jsonTruth(record.truth)},
       {"methods", jsonList(record.methods, methodJson)},
       {"results", jsonList(record.results, resultJson)},

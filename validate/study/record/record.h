@@ -84,6 +84,13 @@ struct RadiusRecord {
   std::string reason = {};  ///< "the study states it", or what the rule found (search_radius.h)
 };
 
+/// How the surface lies in its texture: see surface::TextureLayout.
+struct TextureRecord {
+  int charts = 0;
+  bool chartsOverlap = false;
+  double sharedArea = 0;  ///< share of the surface's area, 0 to 1
+};
+
 /// A method as this study runs it.
 struct MethodRecord {
   std::string label;  ///< unique in the study; rows refer to it
@@ -91,6 +98,9 @@ struct MethodRecord {
   std::string title;
   std::string citation;
   render::MethodMark mark = {};
+  /// The mean over all views and lights of the share of samples whose answer met a texel of another
+  /// chart than their own; none where no charts overlap.
+  std::optional<double> otherChartShare = std::nullopt;
 };
 
 /// A method of the study that was not measured, because the driver draws wrong what it needs.
@@ -223,6 +233,7 @@ struct StudyRecord {
   CaseRecord reproduction;
   EnvironmentRecord environment;
   RadiusRecord radius = {};
+  TextureRecord texture = {};
   TruthRecord truth;
   std::vector<std::string> atlasViews;  ///< names of the views whose lengths are in texels
   std::vector<MethodRecord> methods;    ///< those that were measured

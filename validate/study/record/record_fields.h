@@ -113,10 +113,16 @@ void fields(Stream& stream, T& radius) {
   stream(texels, reason);
 }
 
+template <typename Stream, SameAs<study::TextureRecord> T>
+void fields(Stream& stream, T& texture) {
+  auto& [charts, chartsOverlap, sharedArea] = texture;
+  stream(charts, chartsOverlap, sharedArea);
+}
+
 template <typename Stream, SameAs<study::MethodRecord> T>
 void fields(Stream& stream, T& method) {
-  auto& [label, name, title, citation, mark] = method;
-  stream(label, name, title, citation, mark.family, mark.symbol);
+  auto& [label, name, title, citation, mark, otherChartShare] = method;
+  stream(label, name, title, citation, mark.family, mark.symbol, otherChartShare);
 }
 
 template <typename Stream, SameAs<study::RefusedMethod> T>
@@ -301,13 +307,14 @@ void fields(Stream& stream, T& counts) {
 /// What tells of the run's folder, `reproduction`, stays out: it follows from study and folder.
 template <typename Stream, SameAs<study::StudyRecord> T>
 void fields(Stream& stream, T& record) {
-  auto& [name, title, source, file, command, reproduction, environment, radius, truth, atlasViews,
+  auto& [name, title, source, file, command, reproduction, environment, radius, texture, truth,
+         atlasViews, methods, refused, results, confidence, differences, bins, cost, timings,
+         judgements, baseline, problems, referencePictures, claims, budgets, panels, notices,
+         undefinedSamples, cache] = record;
+  stream(name, title, source, file, command, environment, radius, texture, truth, atlasViews,
          methods, refused, results, confidence, differences, bins, cost, timings, judgements,
          baseline, problems, referencePictures, claims, budgets, panels, notices, undefinedSamples,
-         cache] = record;
-  stream(name, title, source, file, command, environment, radius, truth, atlasViews, methods,
-         refused, results, confidence, differences, bins, cost, timings, judgements, baseline,
-         problems, referencePictures, claims, budgets, panels, notices, undefinedSamples, cache);
+         cache);
   (void)reproduction;
 }
 

@@ -45,6 +45,11 @@ double shadowShare(const BaseCase& base) {
   return all > 0 ? static_cast<double>(shadowed) / static_cast<double>(all) : 0;
 }
 
+/// A share in percent, "2.53" or "0.00012".
+std::string shareText(double share) {
+  return fmt::format("{:.3g}", 100 * share);
+}
+
 /// "a"; of several "“a”, “b”", since labels may hold commas.
 std::string labelsText(const std::vector<std::string>& labels) {
   if (labels.size() == 1) return labels.front();
@@ -86,6 +91,29 @@ std::optional<std::string> insideOutNotice(const surface::LimitSurface& surface,
       "The surface is closed and turned inside out, and {:.4g} % of the samples are shadowed: its "
       "faces run clockwise seen from outside. Reverse the order of every face's corners.",
       100 * shadowShare);
+}
+
+std::optional<std::string> overlapNotice(const surface::TextureLayout& layout) {
+  if (layout.isOneToOne) return std::nullopt;
+  return fmt::format(
+      "Charts of the texture overlap: {} % of the surface's area shares its texels with another "
+      "part. Both parts have the same relief, and a map with one point of the surface a texel is "
+      "right for one of them.",
+      shareText(layout.sharedArea));
+}
+
+std::optional<std::string> otherChartNotice(std::span<const MethodRecord> methods) {
+  std::vector<std::string> parts;
+  for (const MethodRecord& method : methods) {
+    if (method.otherChartShare.value_or(0) == 0) continue;
+    parts.push_back(fmt::format("“{}” at {} % of the samples", method.label,
+                                shareText(*method.otherChartShare)));
+  }
+  if (parts.empty()) return std::nullopt;
+  return fmt::format(
+      "Texels of another chart are left out of methods' maps of the surface, and they fall back to "
+      "what they know without: {}.",
+      fmt::join(parts, ", "));
 }
 
 std::string givenNotice(const std::string& method) {
@@ -130,6 +158,7 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
   add(insideOutNotice(scene.surface, shadowShare(scene.standardBase())));
   add(uncertaintyNotice(scene.study, truth));
   add(softNotice(scene.study));
+  add(overlapNotice(*scene.layout));
   std::vector<std::string> given;
   std::map<int, std::vector<std::string>> ofPieces;  // labels by the pieces of their mesh
   std::optional<double> longestEdge;

@@ -35,6 +35,12 @@ std::optional<std::string> coarsePiecesNotice(const std::string& method, int pie
 std::optional<std::string> insideOutNotice(const surface::LimitSurface& surface,
                                            double shadowShare);
 
+/// A notice that charts of the texture overlap, with their share of the surface.
+std::optional<std::string> overlapNotice(const surface::TextureLayout& layout);
+
+/// A notice of the methods whose answers met texels of other charts, and at how many samples.
+std::optional<std::string> otherChartNotice(std::span<const MethodRecord> methods);
+
 /// A notice of what the masks of another program do not tell.
 /// @param method  as above
 std::string givenNotice(const std::string& method);

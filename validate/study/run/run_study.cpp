@@ -1,5 +1,6 @@
 #include "study/run/run_study.h"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <utility>
@@ -54,6 +55,7 @@ class StudyRun {
     traceTruth(ladders);
     record_.notices = noticesOf(scene_, record_.truth, methods_);
     compareMethods(ladders);
+    if (auto notice = otherChartNotice(record_.methods)) record_.notices.push_back(*notice);
     record_.budgets = ladders.attribute(record_.truth);
     if (beside_ != Beside::nothing) measureCosts();
     record_.judgements = judgeThresholds(study_.thresholds, record_);
@@ -84,6 +86,8 @@ class StudyRun {
 
   void traceTruth(LadderStage& ladders) {
     record_.truth = surface_.record();
+    const surface::TextureLayout& layout = *scene_.layout;
+    record_.texture = {layout.chartCount, !layout.isOneToOne, layout.sharedArea};
     for (const std::span<MethodCase> methods : {std::span(methods_), ladders.states()}) {
       shootTables(scene_, methods);
     }
@@ -152,8 +156,21 @@ class StudyRun {
         scene_.cache.keep(keys[i], *outcomes[i]);
       }
       spread.add(answers[i].place, *outcomes[i]);
+      addOtherChartShare(answers[i].place, outcomes[i]->otherChartShare);
       addResults(*answers[i].method, view, light, *outcomes[i]);
     }
+  }
+
+  /// Adds the share of one view and light to the mean.
+  void addOtherChartShare(std::size_t place, double share) {
+    const MethodCase& method = methods_[place];
+    if (scene_.layout->isOneToOne || method.isGiven()) return;
+    const auto views =
+        std::count_if(study_.views.begin(), study_.views.end(),
+                      [&](const ViewSpec& view) { return study::answersIn(method, view); });
+    std::optional<double>& mean = record_.methods[place].otherChartShare;
+    mean = mean.value_or(0) +
+           share / (static_cast<double>(views) * static_cast<double>(study_.lights.size()));
   }
 
   CaseAnswers draw(MethodCase& method, std::size_t view, std::size_t light) {

@@ -71,22 +71,22 @@ ChosenSamples chooseSamples(const StudySpec& study, const surface::LimitSurface&
 }
 
 DrawnBase undisplaced(const StudySpec& study, const surface::LimitSurface& surface,
-                      const MeshChoice& choice) {
+                      const surface::TextureLayout& layout, const MeshChoice& choice) {
   surface::BaseMesh mesh = withKeys("base", [&] {
     return surface::makeBaseMesh(surface, study.relief.texelsPerUv(), choice.base.subdivisions,
                                  choice.base.curvature);
   });
-  render::GpuMesh gpu(mesh);
+  render::GpuMesh gpu(mesh, &layout);
   const render::RenderView texture = render::textureView(mesh);
   return {std::move(mesh), std::move(gpu), std::nullopt, texture};
 }
 
 DrawnBase displaced(const StudySpec& study, const surface::LimitSurface& surface,
-                    const MeshChoice& choice) {
+                    const surface::TextureLayout& layout, const MeshChoice& choice) {
   displaced::DisplacedMesh displaced = withKeys("base", [&] {
     return displaced::makeDisplacedMesh(surface, study.relief, choice.base.subdivisions);
   });
-  render::GpuMesh gpu(displaced.mesh);
+  render::GpuMesh gpu(displaced.mesh, &layout);
   render::GpuVolumes volumes(displaced);
   const render::RenderView texture = render::textureView(displaced.mesh);
   return {std::move(displaced.mesh), std::move(gpu), std::move(volumes), texture};
@@ -109,10 +109,10 @@ std::uint64_t heldBytes(const ChosenSamples& chosen) {
 OnDemand<std::shared_ptr<const DrawnBase>> drawnOnDemand(const StudySpec& study,
                                                          const surface::LimitSurface& surface,
                                                          MeshChoice choice, CaseMakers with) {
-  const auto make = [&study, &surface, choice] {
+  const auto make = [&study, &surface, &layout = with.layout, choice] {
     return std::make_shared<const DrawnBase>(choice.kind == render::DrawnMesh::displaced
-                                                 ? displaced(study, surface, choice)
-                                                 : undisplaced(study, surface, choice));
+                                                 ? displaced(study, surface, layout, choice)
+                                                 : undisplaced(study, surface, layout, choice));
   };
   return OnDemand<std::shared_ptr<const DrawnBase>>([make, with, choice] {
     return with.store.get<DrawnBase>(with.keys.mesh(choice), make,

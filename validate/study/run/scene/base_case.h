@@ -18,6 +18,7 @@
 #include "surface/base_mesh.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
+#include "surface/texture_layout.h"
 #include "truth/shadow_tracer.h"
 
 namespace gnomon::study {
@@ -56,6 +57,7 @@ struct CaseMakers {
   cache::Cache& cache;
   SceneStore& store;
   const RunKeys& keys;
+  const surface::TextureLayout& layout;  ///< of the surface
 };
 
 /// A mesh that is made, or taken from the store, when it is first asked for.

@@ -33,7 +33,7 @@ void fields(Stream& stream, T& mask) {
 
 template <typename Stream, SameAs<render::MethodAnswers> T>
 void fields(Stream& stream, T& answers) {
-  stream(answers.drawn, answers.test);
+  stream(answers.drawn, answers.test, answers.otherChartShare);
 }
 
 template <typename Stream, SameAs<Visibility> T>
@@ -43,7 +43,7 @@ void fields(Stream& stream, T& map) {
 
 template <typename Stream, SameAs<render::VisibilityAnswers> T>
 void fields(Stream& stream, T& answers) {
-  stream(answers.drawn, answers.test);
+  stream(answers.drawn, answers.test, answers.otherChartShare);
 }
 
 template <typename Stream, SameAs<truth::Truth> T>
@@ -115,7 +115,7 @@ void fields(Stream& stream, T& outcome) {
 
 template <typename Stream, SameAs<study::MethodOutcome> T>
 void fields(Stream& stream, T& outcome) {
-  stream(outcome.drawn, outcome.test, outcome.bins, outcome.blocks);
+  stream(outcome.drawn, outcome.test, outcome.bins, outcome.blocks, outcome.otherChartShare);
 }
 
 }  // namespace gnomon::cache

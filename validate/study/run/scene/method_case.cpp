@@ -45,7 +45,7 @@ std::shared_ptr<const render::HeldTargets> heldTargets(RunScene& scene) {
     samples = std::max(samples, view.samples.samples.size());
   }
   // Answers as bits and as shares, and texel counts, each with its depth.
-  const std::uint64_t bytes = (5 + 12 + 8) * samples;
+  const std::uint64_t bytes = (5 + 13 + 8) * samples;
   if (!scene.store.canHold(bytes)) return nullptr;
   return scene.store.get<render::HeldTargets>(
       cache::KeyBuilder("targets").key(),
@@ -201,6 +201,7 @@ CaseAnswers cutAnswers(render::VisibilityAnswers shares) {
   CaseAnswers answers{{cutInHalf(shares.drawn), cutInHalf(shares.test)}};
   answers.drawnShares = std::move(shares.drawn);
   answers.testShares = std::move(shares.test);
+  answers.otherChartShare = shares.otherChartShare;
   return answers;
 }
 

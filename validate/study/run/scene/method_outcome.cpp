@@ -176,6 +176,7 @@ std::vector<MethodOutcome> OutcomeStage::compareOnOne(
     } else if (isOneMask(*answers[m])) {
       outcomes[m].test = outcomes[m].drawn;
     }
+    outcomes[m].otherChartShare = answers[m]->otherChartShare;
   }
   return outcomes;
 }

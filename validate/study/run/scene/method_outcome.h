@@ -34,6 +34,7 @@ struct MethodOutcome {
   std::vector<std::vector<compare::Counts>>
       bins;                     ///< of the drawn answer: [axis][bin], as sampleAxes
   compare::BlockErrors blocks;  ///< likewise, in the cells of the view's tiling
+  double otherChartShare = 0;   ///< as of render::MethodAnswers
 };
 
 /// A method to be compared, by the mesh that it draws.

@@ -17,6 +17,17 @@ std::shared_ptr<const surface::LimitSurface> limitSurface(const StudySpec& study
       bytes);
 }
 
+std::shared_ptr<const surface::TextureLayout> textureLayout(const StudySpec& study,
+                                                            const surface::LimitSurface& surface,
+                                                            SceneStore& store) {
+  return store.get<surface::TextureLayout>(
+      surfaceKey(study),
+      [&] {
+        return std::make_shared<const surface::TextureLayout>(surface::textureLayout(surface));
+      },
+      [](const surface::TextureLayout& layout) { return sizeof(int) * layout.charts.size(); });
+}
+
 }  // namespace
 
 RunScene::RunScene(const StudySpec& of, StageClock& stageClock, const render::GlContext& gl,
@@ -30,6 +41,8 @@ RunScene::RunScene(const StudySpec& of, StageClock& stageClock, const render::Gl
       heldSurface(
           clock.measure("surface", [&](const Progress&) { return limitSurface(of, store); })),
       surface(*heldSurface),
+      layout(clock.measure("surface",
+                           [&](const Progress&) { return textureLayout(of, surface, store); })),
       texelsPerHeight(horizon::texelsPerHeight(
           of.relief.space, horizon::texelScale(surface, of.relief.texelsPerUv()))),
       heights(of.relief.field),
@@ -40,7 +53,8 @@ BaseCase& RunScene::base(MeshChoice choice) {
   if (found != bases.end()) return found->second;
   return clock.measure("samples", [&](const Progress&) -> BaseCase& {
     return bases
-        .emplace(choice, makeBaseCase(study, surface, choice, {shaders, cache, store, keys}))
+        .emplace(choice,
+                 makeBaseCase(study, surface, choice, {shaders, cache, store, keys, *layout}))
         .first->second;
   });
 }
@@ -50,7 +64,7 @@ const DrawnBase& RunScene::mesh(MeshChoice choice) {
   if (base != bases.end()) return *base->second.drawn.get();
   auto found = lightMeshes.find(choice);
   if (found == lightMeshes.end()) {
-    auto made = drawnOnDemand(study, surface, choice, {shaders, cache, store, keys});
+    auto made = drawnOnDemand(study, surface, choice, {shaders, cache, store, keys, *layout});
     found = lightMeshes.emplace(choice, std::move(made)).first;
   }
   return clock.measure("samples",

@@ -16,6 +16,7 @@
 #include "study/run/scene/table_set.h"
 #include "study/spec/study_file.h"
 #include "surface/limit_surface.h"
+#include "surface/texture_layout.h"
 
 namespace gnomon::study {
 
@@ -37,7 +38,8 @@ struct RunScene {
   RunKeys keys;
   std::shared_ptr<const surface::LimitSurface> heldSurface;
   const surface::LimitSurface& surface;
-  double texelsPerHeight;  ///< of the frame of angles (texel_scale.h)
+  std::shared_ptr<const surface::TextureLayout> layout;  ///< of the surface
+  double texelsPerHeight;                                ///< of the frame of angles (texel_scale.h)
   render::GpuHeights heights;
   TableSet tables;
   std::map<MeshChoice, BaseCase> bases;
