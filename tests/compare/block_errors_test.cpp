@@ -49,6 +49,34 @@ TEST(BlockErrors, RefuseWhatCannotBeCompared) {
   EXPECT_THROW(one += blockErrors(row("..."), row("..."), 1), InternalError);
 }
 
+/// As many wrong samples in every block are not the same answers.
+TEST(BlockErrors, KnowTheSameAnswers) {
+  const Mask truth{4, 4, std::vector<Shade>(16, Shade::lit)};
+  Mask mask = truth;
+  mask.samples[1] = Shade::shadowed;
+  const BlockErrors one = blockErrors(mask, truth, 2);
+  EXPECT_TRUE(one.answersAlike(blockErrors(mask, truth, 2)));
+  std::swap(mask.samples[1], mask.samples[4]);
+  BlockErrors other = blockErrors(mask, truth, 2);
+  EXPECT_EQ(other.wrong, one.wrong);
+  EXPECT_FALSE(other.answersAlike(one));
+  // One light of two differs.
+  BlockErrors both = one;
+  both += one;
+  other += one;
+  EXPECT_FALSE(both.answersAlike(other));
+  other = one;
+  other += one;
+  EXPECT_TRUE(both.answersAlike(other));
+  EXPECT_FALSE(BlockErrors{}.answersAlike(BlockErrors{})) << "of what is not known nothing is";
+  // Shares: as far off, to the other side.
+  const Visibility half{2, 1, {0.5F, 0.5F}};
+  const BlockErrors more = blockErrors(Visibility{2, 1, {0.75F, 0.5F}}, half, 1);
+  const BlockErrors less = blockErrors(Visibility{2, 1, {0.25F, 0.5F}}, half, 1);
+  EXPECT_EQ(more.wrong, less.wrong);
+  EXPECT_FALSE(more.answersAlike(less));
+}
+
 /// The rate of any tiling is that of countSamples, whatever the tiles.
 TEST(BlockErrors, AddUpToTheCounts) {
   rc::check([] {

@@ -169,6 +169,90 @@ TEST(CoverageOfDifferences, IsThatOfTheMasks) {
   EXPECT_LE(all.share(), 0.97);
 }
 
+// ---- the verdict on two methods
+
+/// Errors of two methods that have 80 % of their fields in common, and as often under all lights.
+struct Pair {
+  const char* name;
+  double scale;  ///< of the blobs
+  double (*rate)(double place);
+  std::size_t lights;
+  int leastFound;  ///< of 120 where the second method has half the error of the first
+};
+
+constexpr int pairsDrawn = 120;
+
+/// Among them errors so few, or in so narrow a strip at the terminator, that hardly any pair has
+/// blocks enough for Student's t.
+constexpr std::array<Pair, 8> pairKinds = {
+    {{"everywhere", 1, [](double) { return 0.05; }, 1, 115},
+     {"rare", 2, [](double) { return 0.005; }, 1, 25},
+     {"very rare", 2, [](double) { return 0.001; }, 1, 0},
+     {"single", 1, [](double) { return 0.0002; }, 1, 0},
+     {"under three lights", 2, [](double) { return 0.01; }, 3, 60},
+     {"toward a terminator", 1.5, [](double x) { return 0.4 * std::exp((x - 1) / 0.1); }, 1, 110},
+     {"near a terminator", 1.5, [](double x) { return 0.4 * std::exp((x - 1) / 0.03); }, 1, 90},
+     {"at a terminator", 1.5, [](double x) { return 0.4 * std::exp((x - 1) / 0.01); }, 1, 45}}};
+
+class VerdictOnPairs : public testing::TestWithParam<Pair> {
+ protected:
+  struct Found {
+    int better = 0, worse = 0, withoutInterval = 0;
+  };
+
+  /// @param share  of the second method's rate in the first's
+  static Found verdicts(double share) {
+    const Pair& kind = GetParam();
+    const Mask truth = litEverywhere();
+    const Tiling tiling = chooseTiling(truth);
+    RandomFields fields(drawnSide, kind.scale, 15);
+    std::vector<double> first;
+    for (int x = 0; x < drawnSide; ++x) first.push_back(kind.rate((x + 0.5) / drawnSide));
+    std::vector<double> second = first;
+    for (double& rate : second) rate *= share;
+    Found found;
+    for (int m = 0; m < pairsDrawn; ++m) {
+      std::vector<BlockErrors> a, b;
+      for (std::size_t l = 0; l < kind.lights; ++l) {
+        const std::vector<float> common = fields.next();
+        const auto cellsOf = [&](const std::vector<double>& rates) {
+          const Mask mask =
+              errorMask(mixed(common, fields.next(), 0.8), drawnSide, ErrorShape::blobs, rates);
+          return blockErrors(mask, truth, tiling.cellSide);
+        };
+        a.push_back(cellsOf(first));
+        b.push_back(cellsOf(second));
+      }
+      const BlockErrors one = together(a, kind.lights);
+      const BlockErrors other = together(b, kind.lights);
+      const auto interval = differenceConfidence(one, other, tiling).interval;
+      if (!interval) {
+        // Nothing to tell: as many wrong in every block.
+        EXPECT_EQ(one.wrong, other.wrong);
+        ++found.withoutInterval;
+      } else if (!interval->holds(0)) {
+        ++(one.rate() < other.rate() ? found.better : found.worse);
+      }
+    }
+    return found;
+  }
+};
+
+/// 95 of 100 intervals of equal methods hold 0.
+TEST_P(VerdictOnPairs, TellsEqualMethodsApartInAtMostSixOf120) {
+  const Found equal = verdicts(1);
+  EXPECT_LE(equal.better + equal.worse, 6);
+}
+
+TEST_P(VerdictOnPairs, FindsHalfTheError) {
+  const Found half = verdicts(0.5);
+  EXPECT_GE(half.worse, GetParam().leastFound);
+  EXPECT_LE(half.better, 1);
+  EXPECT_LE(half.withoutInterval, 12);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfErrors, VerdictOnPairs, testing::ValuesIn(pairKinds));
+
 /// An object before a background, seen in an atlas's weights of one to four.
 TEST(CoverageOfRates, IsThatOfTheMasksBehindASilhouetteAndUnderWeights) {
   Mask truth = litEverywhere();

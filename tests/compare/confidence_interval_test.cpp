@@ -268,13 +268,85 @@ TEST(DifferenceConfidence, TakesEachRateOverItsOwnSamples) {
 /// An interval of no width would say that another draw of the bumps could not differ either.
 TEST(DifferenceConfidence, OfEqualsIsRefused) {
   const Case a = independentCase(64, 0.1, 12);
-  EXPECT_FALSE(differenceConfidence(a.cells, a.cells, a.tiling).interval);
-  EXPECT_EQ(differenceConfidence(a.cells, a.cells, a.tiling).reason,
-            "no block of the view differs");
+  const ConfidenceInterval same = differenceConfidence(a.cells, a.cells, a.tiling);
+  EXPECT_FALSE(same.interval);
+  EXPECT_TRUE(same.areEqual);
+  EXPECT_EQ(same.reason, "both give the same answers");
+  // Other answers, as many of them wrong.
   Case other = a;
-  other.cells.wrong[3] += 1;
+  other.cells.answers = a.cells.answers + 1;
+  EXPECT_FALSE(differenceConfidence(a.cells, other.cells, a.tiling).areEqual);
   EXPECT_EQ(differenceConfidence(a.cells, other.cells, a.tiling).reason,
-            "too few blocks of the view differ");
+            "no block of the view differs");
+  const BlockErrors few{std::vector<double>(256, 1), std::vector<double>(256, 2)};
+  EXPECT_EQ(differenceConfidence(few, few, {1, 16}).reason,
+            "the view has too few blocks of samples");
+}
+
+// ---- the random signs
+
+/// 12 × 12 blocks, of which the first so many differ by these parts of all weight, in the first of
+/// their cells or in all four.
+ConfidenceInterval ofParts(const std::vector<double>& parts, bool inAllCells = true) {
+  const BlockErrors none = blocksOf(12, [](std::size_t, std::size_t) { return 0.0; });
+  const BlockErrors some = blocksOf(12, [&](std::size_t x, std::size_t y) {
+    // Far apart, as neighbours would be one place.
+    const std::size_t block = y / 2 * 12 + x / 2;
+    const std::size_t k = block / 11;
+    if (block % 11 != 0 || k >= parts.size()) return 0.0;
+    const double whole = parts[k] * 100 * 576;
+    return inAllCells ? whole / 4 : x % 2 + y % 2 == 0 ? whole : 0;
+  });
+  return differenceConfidence(some, none, {1, 24});
+}
+
+/// With few blocks all choices of signs can be made: 5 in 100 of them reach half the width. One
+/// block holds so much that differences of neighbours have no degrees of freedom.
+TEST(RandomSigns, HaveTheHalfWidthThatOneChoiceInTwentyReaches) {
+  const std::vector<double> parts = {0.004,  0.0004, 0.0003, 0.0005,  -0.0002,
+                                     0.0006, 0.0001, 0.0007, 0.00035, -0.00045};
+  const ConfidenceInterval confidence = ofParts(parts, false);
+  ASSERT_TRUE(confidence.interval) << confidence.reason;
+  const double half = width(confidence) / 2;
+  int reached = 0;
+  constexpr unsigned choices = 1U << 10U;
+  for (unsigned choice = 0; choice < choices; ++choice) {
+    double sum = 0;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      sum += (choice >> k & 1U) != 0 ? parts[k] : -parts[k];
+    }
+    reached += std::abs(sum) >= half * (1 - 1e-6) ? 1 : 0;
+  }
+  EXPECT_GE(reached, 0.04 * choices);
+  EXPECT_LE(reached, 0.06 * choices);
+  // In single cells nothing is cut by a border; spread over all four, all may be.
+  EXPECT_NEAR(width(ofParts(parts)), largestCorrection * width(confidence), 1e-12);
+}
+
+/// All signs of five blocks agree in 2 of 32 choices, of six in 2 of 64.
+TEST(RandomSigns, NeverDecideByFiveBlocks) {
+  for (std::size_t blocks = 1; blocks <= 9; ++blocks) {
+    const ConfidenceInterval confidence = ofParts(std::vector<double>(blocks, 0.001), false);
+    ASSERT_TRUE(confidence.interval) << blocks;
+    EXPECT_TRUE(confidence.interval->holds(0.001 * static_cast<double>(blocks)));
+    if (blocks <= 5) {
+      EXPECT_TRUE(confidence.interval->holds(0)) << blocks;
+    } else {
+      EXPECT_FALSE(confidence.interval->holds(0)) << blocks;
+    }
+  }
+}
+
+/// One place alone, however large, may be chance; beside many small ones it hides nothing.
+TEST(RandomSigns, OneLargeBlockIsNoEvidence) {
+  EXPECT_TRUE(ofParts({0.02}).interval->holds(0));
+  EXPECT_TRUE(ofParts({0.006, -0.00001, 0.00001}).interval->holds(0));
+  std::vector<double> many(13, 0.0006);
+  many[5] = 0.004;
+  EXPECT_FALSE(ofParts(many, false).interval->holds(0));
+  for (double& part : many) part = -part;
+  EXPECT_FALSE(ofParts(many, false).interval->holds(0));
+  EXPECT_LT(ofParts(many, false).interval->high, 0);
 }
 
 TEST(DifferenceConfidence, RefusesWhatIsNotOneView) {

@@ -28,7 +28,9 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 study::BudgetShare share(double value, bool distinguishable = true) {
-  return {value, compare::Interval{value - 0.001, value + 0.002}, "", distinguishable};
+  return {value, compare::Interval{value - 0.001, value + 0.002}, "",
+          distinguishable ? study::DifferenceVerdict::worse
+                          : study::DifferenceVerdict::notDistinguishable};
 }
 
 /// 5 % wrong: forward +3, -1, +0.5, left 0.5 and 2; backward moves 0.5 from the first to the third.

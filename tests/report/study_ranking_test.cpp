@@ -116,7 +116,7 @@ TEST(StudyRanking, AMethodThatLacksACaseOfAStudyHasNoRankHoweverSmallItsError) {
   EXPECT_EQ(ranked[0].rank, 1U);
   EXPECT_EQ(ranked[1].label, "easy");
   EXPECT_FALSE(ranked[1].rank);
-  EXPECT_FALSE(ranked[1].closeToBest);
+  EXPECT_FALSE(ranked[1].toBest);
   EXPECT_EQ(ranked[1].studies, 2U);
   EXPECT_EQ(ranked[1].cases, 3U);
   EXPECT_EQ(ranked[1].allCases, 4U);
@@ -159,9 +159,9 @@ TEST(StudyRanking, MarksWhatTheTruthCannotTellFromTheBest) {
   const auto ranked = study::rankOverStudies(
       meansOf({study("a", {{"best", {10, 10}}, {"close", {12, 12}}, {"far", {20, 20}}}, 0.004),
                study("b", {{"best", {10, 10}}, {"close", {12, 12}}, {"far", {20, 20}}}, 0.002)}));
-  EXPECT_FALSE(ranked[0].closeToBest);
-  EXPECT_EQ(ranked[1].closeToBest, "the difference is within the truth's uncertainty");
-  EXPECT_FALSE(ranked[2].closeToBest);
+  EXPECT_FALSE(ranked[0].toBest);
+  EXPECT_EQ(ranked[1].toBest->verdict, study::DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(ranked[2].toBest->verdict, study::DifferenceVerdict::worse);
 }
 
 TEST(StudyRanking, SaysWhichStudiesHaveNoInterval) {
@@ -183,10 +183,17 @@ TEST(StudyRanking, SaysWhichStudiesHaveNoInterval) {
   }
   const std::vector<study::StudyMeans> studies = {study::studyMeans(studyOf("plain")),
                                                   study::studyMeans(sweep)};
-  const std::string reason = "no interval of the difference on bumps";
-  EXPECT_EQ(study::rankOverStudies(studies)[1].closeToBest, reason);
-  EXPECT_THAT(rankingHtml(studies, "").text(), HasSubstr("not compared with best: " + reason));
-  EXPECT_THAT(terminalReport(studies, false), HasSubstr("no interval of the difference on"));
+  const auto ranked = study::rankOverStudies(studies);
+  EXPECT_EQ(ranked[1].toBest->verdict, study::DifferenceVerdict::noInterval);
+  EXPECT_EQ(ranked[1].toBest->reason, "on bumps: at 2: too few blocks");
+  const std::string note =
+      "? No interval of the difference of “far”: on bumps: at 2: too few blocks.";
+  EXPECT_THAT(rankingHtml(studies, "").text(), HasSubstr(note));
+  const std::string text = terminalReport(studies, false);
+  EXPECT_THAT(text, HasSubstr("  " + note));
+  EXPECT_EQ(text.find("≈"), text.rfind("≈")) << "in the explanation alone";
+  EXPECT_THAT(rankingJson(studies, ""),
+              HasSubstr("\"to_best\": \"no interval\",\n      \"reason\": \"on bumps: at 2"));
 }
 
 TEST(StudyRanking, MarksWhatTheIntervalsCannotTellFromTheBest) {
@@ -197,10 +204,11 @@ TEST(StudyRanking, MarksWhatTheIntervalsCannotTellFromTheBest) {
   test::addDifferences(a, 0.005);
   test::addDifferences(b, 0.001);
   const auto ranked = study::rankOverStudies(meansOf({a, b}));
-  EXPECT_EQ(ranked[1].closeToBest, "the interval of the difference holds 0");
-  EXPECT_FALSE(ranked[2].closeToBest);
+  EXPECT_EQ(ranked[1].toBest->verdict, study::DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(ranked[2].toBest->verdict, study::DifferenceVerdict::worse);
   test::addDifferences(a, 0.001);
-  EXPECT_FALSE(study::rankOverStudies(meansOf({a, b}))[1].closeToBest);
+  EXPECT_EQ(study::rankOverStudies(meansOf({a, b}))[1].toBest->verdict,
+            study::DifferenceVerdict::worse);
 }
 
 TEST(StudyRanking, LabelsThatAreNotNamesSayWhatTheyStandFor) {

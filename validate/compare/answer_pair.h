@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "common/error.h"
 #include "compare/counts.h"
@@ -18,6 +20,7 @@ namespace gnomon::compare {
 ///   hasBoth(i)     both have an answer
 ///   hasNeither(i)  none has
 ///   wrong(i)       how far they differ, 0 to 1
+///   answerBits(i)  the candidate's answer, as it is stored
 ///   add(i, w, c)   adds a sample of weight w to the cells of c
 class MaskPair {
  public:
@@ -37,6 +40,9 @@ class MaskPair {
   }
   [[nodiscard]] double wrong(std::size_t i) const {
     return candidate_.samples[i] != truth_.samples[i] ? 1 : 0;
+  }
+  [[nodiscard]] std::uint64_t answerBits(std::size_t i) const {
+    return static_cast<std::uint64_t>(candidate_.samples[i]);
   }
   void add(std::size_t i, double weight, Counts& counts) const {
     counts.cell(candidate_.samples[i], truth_.samples[i]) += weight;
@@ -87,6 +93,9 @@ class SharePair {
   }
   [[nodiscard]] double truth(std::size_t i) const { return static_cast<double>(truth_.shares[i]); }
   [[nodiscard]] double wrong(std::size_t i) const { return std::abs(candidate(i) - truth(i)); }
+  [[nodiscard]] std::uint64_t answerBits(std::size_t i) const {
+    return std::bit_cast<std::uint32_t>(candidate_.shares[i]);
+  }
   void add(std::size_t i, double weight, Counts& counts) const {
     const double ours = candidate(i);
     const double theirs = truth(i);

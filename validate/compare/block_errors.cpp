@@ -26,6 +26,11 @@ void requireSameBlocks(const BlockErrors& a, const BlockErrors& b) {
   }
 }
 
+/// A step of FNV-1a, by words.
+std::uint64_t hashed(std::uint64_t hash, std::uint64_t word) {
+  return (hash ^ word) * 1099511628211ULL;
+}
+
 template <typename Pair>
 BlockErrors errorsOf(const Pair& pair, int side, std::span<const double> weights,
                      std::span<const std::uint8_t> selected) {
@@ -33,7 +38,8 @@ BlockErrors errorsOf(const Pair& pair, int side, std::span<const double> weights
   const int columns = (pair.width() + side - 1) / side;
   const int rows = (pair.height() + side - 1) / side;
   const auto blocks = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
-  BlockErrors errors{std::vector<double>(blocks), std::vector<double>(blocks)};
+  BlockErrors errors{std::vector<double>(blocks), std::vector<double>(blocks),
+                     14695981039346656037ULL};
   std::size_t i = 0;
   for (int y = 0; y < pair.height(); ++y) {
     const auto firstOfRow = static_cast<std::size_t>(y / side) * static_cast<std::size_t>(columns);
@@ -41,6 +47,7 @@ BlockErrors errorsOf(const Pair& pair, int side, std::span<const double> weights
       const std::size_t block = firstOfRow + static_cast<std::size_t>(column);
       const int end = std::min(pair.width(), (column + 1) * side);
       for (int x = column * side; x < end; ++x, ++i) {
+        errors.answers = hashed(errors.answers, pair.answerBits(i));
         if (!pair.hasBoth(i)) continue;
         const double weight = weights.empty() ? 1 : weights[i];
         errors.weight[block] += weight;
@@ -67,6 +74,7 @@ BlockErrors& BlockErrors::operator+=(const BlockErrors& other) {
   requireSameBlocks(*this, other);
   std::transform(wrong.begin(), wrong.end(), other.wrong.begin(), wrong.begin(), std::plus<>());
   std::transform(weight.begin(), weight.end(), other.weight.begin(), weight.begin(), std::plus<>());
+  answers = answers == 0 || other.answers == 0 ? 0 : hashed(answers, other.answers);
   return *this;
 }
 

@@ -18,7 +18,14 @@ struct BlockErrors {
   /// sample's weight times |V - V_truth|.
   std::vector<double> wrong;
   std::vector<double> weight;  ///< weight of all samples, one a block; 0 for one without any
+  /// A hash of the answers, sample by sample: two masks over the same view that differ share one
+  /// with a probability of 2⁻⁶⁴. 0 where it is not known.
+  std::uint64_t answers = 0;
 
+  /// Whether both are of the same answers, to the sample.
+  [[nodiscard]] bool answersAlike(const BlockErrors& other) const {
+    return answers != 0 && answers == other.answers;
+  }
   /// Σ wrong / Σ weight, the error rate; 0 without any sample.
   [[nodiscard]] double rate() const;
   /// Adds the same blocks of another case: another light in the same view.

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numeric>
 #include <vector>
 
+#include "common/counted_random.h"
 #include "common/error.h"
 #include "compare/mask_checks.h"
 
@@ -117,13 +121,17 @@ Spread spreadOf(const BlockGrid& grid) {
   return {std::sqrt(ratio(sum, weight)), ratio(sum * sum, 2 * squares)};
 }
 
+/// By what the spread from blocks is multiplied for what they share.
+/// @param halved  the spread from blocks of half the side
+double correctionOf(double spread, double halved) {
+  return spread > 0 ? std::clamp(2 - halved / spread, 1.0, largestCorrection) : 1;
+}
+
 /// s of the header, with the degrees of freedom of the whole blocks.
 Spread correctedSpread(const BlockGrid& blocks, const BlockGrid& cells) {
   Spread spread = spreadOf(blocks);
   const double halved = spreadOf(cells).standardError;
-  if (spread.standardError > 0) {
-    spread.standardError *= std::clamp(2 - halved / spread.standardError, 1.0, largestCorrection);
-  }
+  spread.standardError *= correctionOf(spread.standardError, halved);
   return spread;
 }
 
@@ -160,17 +168,10 @@ double effectiveBlocks(const Mask& view, std::span<const double> weights, int si
   return ratio(sum * sum, squares);
 }
 
-/// What an interval of a rate and one of a difference say where there is none.
-struct Reasons {
-  std::string_view nothing;
-  std::string_view few;
-  std::string_view concentrated;
-};
-
+/// By Student's t, of the differences between neighbouring blocks.
 /// @param least, most  of what the interval is of
 ConfidenceInterval intervalOf(const BlockErrors& first, const BlockErrors& second,
-                              const Tiling& tiling, double least, double most,
-                              const Reasons& reasons) {
+                              const Tiling& tiling, double least, double most) {
   requireCells(first, second, tiling);
   const BlockGrid blocks = blocksOf(first, second, tiling.columns, 2);
   const std::size_t held = blocks.held();
@@ -178,14 +179,53 @@ ConfidenceInterval intervalOf(const BlockErrors& first, const BlockErrors& secon
   const auto differing =
       std::count_if(blocks.blocks.begin(), blocks.blocks.end(),
                     [](const PairedBlock& block) { return block.firstWrong != block.secondWrong; });
-  if (differing == 0) return {{}, reasons.nothing, held};
-  if (differing < static_cast<std::ptrdiff_t>(leastWrongBlocks)) return {{}, reasons.few, held};
+  if (differing == 0) return {{}, "no block of the view holds an error", held};
+  if (differing < static_cast<std::ptrdiff_t>(leastWrongBlocks)) {
+    return {{}, "too few blocks of the view hold an error", held};
+  }
   const Spread spread = correctedSpread(blocks, blocksOf(first, second, tiling.columns, 1));
   if (!(spread.standardError > 0)) return {{}, "every block of the view gives the same", held};
-  if (spread.degrees < leastDegrees) return {{}, reasons.concentrated, held};
+  if (spread.degrees < leastDegrees) {
+    return {{}, "a few blocks of the view hold nearly all errors", held};
+  }
   const double centre = first.rate() - second.rate();
   const double half = studentQuantile(spread.degrees) * spread.standardError;
   return {Interval{std::max(least, centre - half), std::min(most, centre + half)}, {}, held};
+}
+
+/// x of the header, of the blocks in which it is not 0.
+std::vector<double> partsOf(const BlockGrid& grid, double firstWeight, double secondWeight) {
+  std::vector<double> parts;
+  for (const PairedBlock& block : grid.blocks) {
+    const double part =
+        ratio(block.firstWrong, firstWeight) - ratio(block.secondWrong, secondWeight);
+    if (part != 0) parts.push_back(part);
+  }
+  return parts;
+}
+
+double rootSumOfSquares(const std::vector<double>& values) {
+  return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
+}
+
+/// h of the header, without its correction.
+double halfOfFlips(const std::vector<double>& parts) {
+  constexpr std::size_t choices = 1999;
+  constexpr std::uint64_t stream = splitMix64(textHash("signs"));
+  std::vector<double> sums(choices);
+  std::uint64_t place = 0;
+  for (double& sum : sums) {
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < parts.size(); ++k, bits >>= 1U) {
+      if (k % 64 == 0) bits = splitMix64(stream ^ place++);
+      sum += (bits & 1U) != 0 ? parts[k] : -parts[k];
+    }
+    sum = std::abs(sum);
+  }
+  const auto twentieth = sums.begin() + (choices + 1) / 20 - 1;
+  std::nth_element(sums.begin(), twentieth, sums.end(), std::greater<>());
+  constexpr double rounding = 1e-9;
+  return *twentieth * (1 + rounding);
 }
 
 }  // namespace
@@ -216,17 +256,26 @@ Tiling chooseTiling(const Mask& view, std::span<const double> weights) {
 
 ConfidenceInterval differenceConfidence(const BlockErrors& first, const BlockErrors& second,
                                         const Tiling& tiling) {
-  return intervalOf(first, second, tiling, -1, 1,
-                    {"no block of the view differs", "too few blocks of the view differ",
-                     "a few blocks of the view hold nearly all of the difference"});
+  const ConfidenceInterval found = intervalOf(first, second, tiling, -1, 1);
+  if (first.answersAlike(second)) return {{}, "both give the same answers", found.blocks, true};
+  if (found.interval || found.blocks < leastBlocks) return found;
+  const auto weightOf = [](const BlockErrors& errors) {
+    return std::accumulate(errors.weight.begin(), errors.weight.end(), 0.0);
+  };
+  const auto parts = [&](int merged) {
+    return partsOf(blocksOf(first, second, tiling.columns, merged), weightOf(first),
+                   weightOf(second));
+  };
+  const std::vector<double> blocks = parts(2);
+  if (blocks.empty()) return {{}, "no block of the view differs", found.blocks};
+  const double half =
+      halfOfFlips(blocks) * correctionOf(rootSumOfSquares(blocks), rootSumOfSquares(parts(1)));
+  const double centre = first.rate() - second.rate();
+  return {Interval{std::max(-1.0, centre - half), std::min(1.0, centre + half)}, {}, found.blocks};
 }
 
 ConfidenceInterval rateConfidence(const BlockErrors& cells, const Tiling& tiling) {
-  const BlockErrors none{std::vector<double>(cells.wrong.size()), cells.weight};
-  return intervalOf(
-      cells, none, tiling, 0, 1,
-      {"no block of the view holds an error", "too few blocks of the view hold an error",
-       "a few blocks of the view hold nearly all errors"});
+  return intervalOf(cells, {std::vector<double>(cells.wrong.size()), cells.weight}, tiling, 0, 1);
 }
 
 }  // namespace gnomon::compare

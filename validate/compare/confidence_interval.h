@@ -47,6 +47,15 @@ struct Interval {
 /// 2 s(b) - s(b/2) is free of that (Politis & Romano 1995 for series). The correction's own noise
 /// is kept at bay: s is multiplied by 2 - s(b/2) / s(b), but by 1 to `largestCorrection`.
 ///
+/// *A difference that few blocks hold* (ν < `leastDegrees`, or fewer than `leastWrongBlocks` that
+/// differ) has the interval of the random signs (Fisher 1935; Pitman 1937): if two methods are
+/// equally good, a block's part of the difference, x = firstWrong / Σ firstWeight - secondWrong /
+/// Σ secondWeight, might as well have the other sign. Of 1,999 choices of all signs, the same on
+/// every machine, 5 in 100 have a |Σ ± x| of h or more: the interval is the difference ± h. It
+/// leaves 0 out just where p = (1 + number of choices that reach |Σ x|) / 2,000 is no more than
+/// 0.05, so that five blocks never do. h is corrected for what neighbours share as s is, by √Σ x²
+/// of blocks and of cells. A drift counts as spread: the interval is rather too wide.
+///
 /// *Checked* by simulation (tests/compare/confidence_coverage_test.cpp) with and without drift, and
 /// against new draws of the bumps (tests/end_to_end/redrawn_bumps_test.cpp). It is too narrow where
 /// bumps larger than a sixteenth of the view's side lie at random, and too wide, by a factor of 2
@@ -55,13 +64,15 @@ struct ConfidenceInterval {
   std::optional<Interval> interval;  ///< none where too little is known
   std::string_view reason;           ///< why there is none; empty if there is one
   std::size_t blocks = 0;            ///< that hold a sample
+  bool areEqual = false;             ///< of a difference: both answer alike, to the sample
 };
 
 /// Fewer blocks than this give no interval.
 constexpr std::size_t leastBlocks = 144;
-/// Fewer blocks than this in which anything deviates from none at all give no interval.
+/// Fewer blocks than this in which anything deviates from none at all give no interval of a rate.
 constexpr std::size_t leastWrongBlocks = 6;
-/// Fewer degrees of freedom than this give no interval: one or two blocks decide everything.
+/// Fewer degrees of freedom than this give no interval of a rate: one or two blocks decide
+/// everything.
 constexpr double leastDegrees = 3;
 /// Of the standard error, for what neighbouring blocks share.
 constexpr double largestCorrection = 1.5;
@@ -90,7 +101,8 @@ ConfidenceInterval rateConfidence(const BlockErrors& cells, const Tiling& tiling
 /// The 95 % interval of first.rate() - second.rate(), within -1 to 1. Blocks are compared by place,
 /// so that what both get wrong cancels. Both may have other weights, or samples in other blocks:
 /// two meshes in one camera view show nearly the same surface at nearly the same place, and each
-/// rate is over its own samples.
+/// rate is over its own samples. None of equal answers, where the view has too few blocks, and
+/// where no block differs.
 /// @throws InternalError as rateConfidence, or where they differ in number
 ConfidenceInterval differenceConfidence(const BlockErrors& first, const BlockErrors& second,
                                         const Tiling& tiling);

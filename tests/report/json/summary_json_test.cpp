@@ -159,7 +159,7 @@ TEST(SummaryJson, AClaimTellsHowItFaresOverTheCases) {
   const ordered_json claims = written(record)["claims"];
   EXPECT_EQ(
       claims[0]["spread"].dump(),
-      R"({"cases":27,"held":25,"failed":1,"not_distinguishable":1,"intervals":true,)"
+      R"({"cases":27,"held":25,"failed":1,"equal":0,"not_distinguishable":1,"no_interval":0,"intervals":true,)"
       R"("together":"not distinguishable","quantity":"ratio","least":0.25,"quartile_1":0.375,"median":0.5,"quartile_3":0.625,)"
       R"("most":0.75})");
   EXPECT_FALSE(claims[1]["spread"]["intervals"]);

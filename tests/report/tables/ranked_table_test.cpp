@@ -56,13 +56,14 @@ TEST(TableCsv, HoldsTheRankedTable) {
   EXPECT_THAT(
       test::linesOf(tableCsv(recordWithIntervals())),
       ElementsAre(
-          "rank,method,error_rate,low,high,uncertainty,same_as_best,"
+          "rank,method,error_rate,low,high,uncertainty,to_best,"
           "test_error_rate,false_shadow,false_light,iou,cases,all_cases,"
           "leader_error_rate,bytes,frame_ms",
-          "1,best,0.01,0.0075,0.0125,0.003,0,0.03,0.005,0.005,0.9607843137254902,2,2,,540672,"
+          "1,best,0.01,0.0075,0.0125,0.003,,0.03,0.005,0.005,0.9607843137254902,2,2,,540672,"
           "1.25",
-          "2,close,0.012,,,0.003,1,0.032,0.004,0.008,0.952755905511811,2,2,,1048576,",
-          "3,\"rough, \"\"old\"\"\",0.1,,,0.003,0,0.12,0.08,0.02,0.696969696969697,2,2,,,"));
+          "2,close,0.012,,,0.003,not "
+          "distinguishable,0.032,0.004,0.008,0.952755905511811,2,2,,1048576,",
+          "3,\"rough, \"\"old\"\"\",0.1,,,0.003,worse,0.12,0.08,0.02,0.696969696969697,2,2,,,"));
 }
 
 TEST(TableTex, HoldsTheSameInPercent) {

@@ -24,7 +24,9 @@ TEST(JudgeWithin, HoldsOnTheRightSideOfEveryBoundAndFailsOnTheWrongSideOfOne) {
   EXPECT_EQ(within(2.5, 0.25), Verdict::failed);
   EXPECT_EQ(within(0.5, 0.25), Verdict::failed);
   EXPECT_EQ(within(0.5, 0.75), Verdict::notDistinguishable);
-  EXPECT_EQ(judgeWithin({1.5, std::nullopt, 0}, {1, 2}), Verdict::notDistinguishable);
+  EXPECT_EQ(judgeWithin({1.5, std::nullopt, 0}, {1, 2}), Verdict::noInterval);
+  EXPECT_EQ(judgeWithin({1.5, std::nullopt, 0.6}, {1, 2}), Verdict::notDistinguishable);
+  EXPECT_EQ(judgeWithin({0, std::nullopt, 0, true}, {0, std::nullopt}), Verdict::equal);
 }
 
 // ---- one method against another
@@ -119,7 +121,7 @@ TEST(Claims, OfBoundsHoldForTheMeanOfAllLightsThoughNotUnderEach) {
   record.confidence.back().interval->high = 0.051;
   EXPECT_EQ(judgeClaim(claim, {record}).verdict, Verdict::notDistinguishable);
   record.confidence.back().interval.reset();
-  EXPECT_EQ(judgeClaim(claim, {record}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judgeClaim(claim, {record}).verdict, Verdict::noInterval);
 }
 
 TEST(Claims, AreNotEvaluatedWithoutFigures) {
@@ -179,9 +181,37 @@ TEST(Claims, NeedAnIntervalWithoutZero) {
   measureIntervals(record, 0.02);
   EXPECT_EQ(judgeClaim(newIsBetter(), {record}).verdict, Verdict::held);
   record.differences.back().interval.reset();
-  record.differences.back().verdict = DifferenceVerdict::notDistinguishable;
-  EXPECT_EQ(judgeClaim(newIsBetter(), {record}).verdict, Verdict::notDistinguishable)
+  record.differences.back().verdict = DifferenceVerdict::noInterval;
+  EXPECT_EQ(judgeClaim(newIsBetter(), {record}).verdict, Verdict::noInterval)
       << "an interval was refused";
+}
+
+/// Over the lights: one without an interval among lights under which it holds leaves all open, one
+/// among lights under which it does not hold changes nothing.
+TEST(Claims, AreWithoutAnIntervalOnlyForWantOfOne) {
+  const auto verdictOf = [](std::vector<DifferenceVerdict> lights) {
+    StudyRecord record = study("s", {{0.02, 0.05}, {0.03, 0.08}}, 0.001);
+    measureIntervals(record, 0.001);
+    std::erase_if(record.differences, [](const auto& row) { return row.light == "all"; });
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      DifferenceRecord& row = record.differences.at(l);
+      row.verdict = lights[l];
+      if (lights[l] == DifferenceVerdict::noInterval) row.interval.reset();
+      if (lights[l] == DifferenceVerdict::notDistinguishable) {
+        row.interval = compare::Interval{-0.1, 0.1};
+      }
+    }
+    ClaimSpread spread = *judgeClaim(newIsBetter(), {record}).spread;
+    EXPECT_EQ(spread.cases, 2U);
+    return std::array{spread.held, spread.equal, spread.notDistinguishable(),
+                      spread.withoutInterval};
+  };
+  using enum DifferenceVerdict;
+  using Counts = std::array<std::size_t, 4>;
+  EXPECT_EQ(verdictOf({worse, worse}), (Counts{2, 0, 0, 0}));
+  EXPECT_EQ(verdictOf({worse, noInterval}), (Counts{1, 0, 0, 1}));
+  EXPECT_EQ(verdictOf({equal, noInterval}), (Counts{0, 1, 0, 1}));
+  EXPECT_EQ(verdictOf({notDistinguishable, equal}), (Counts{0, 1, 1, 0}));
 }
 
 TEST(Claims, TellHowTheyFareOverManyLights) {
@@ -408,6 +438,12 @@ TEST(SweepClaims, OtherClaimsMustHoldAtEveryValue) {
   EXPECT_EQ(judgeVerdicts({V::held, unsure}).verdict, unsure);
   EXPECT_EQ(judgeVerdicts({V::notEvaluated, unsure}).verdict, unsure);
   EXPECT_EQ(judgeVerdicts({V::held, V::notEvaluated}).verdict, V::notEvaluated);
+  EXPECT_EQ(judgeVerdicts({V::held, V::noInterval}).verdict, V::noInterval);
+  EXPECT_EQ(judgeVerdicts({unsure, V::noInterval}).verdict, unsure)
+      << "not for want of an interval";
+  EXPECT_EQ(judgeVerdicts({V::equal, V::equal}).verdict, V::equal);
+  EXPECT_EQ(judgeVerdicts({V::equal, V::held}).verdict, unsure);
+  EXPECT_EQ(judgeVerdicts({V::noInterval, V::failed}).verdict, V::failed);
   const ClaimRecord record = judgeVerdicts({V::held, V::failed, unsure, V::held});
   EXPECT_EQ(record.verdict, V::failed);
   EXPECT_EQ(record.detail,

@@ -16,7 +16,35 @@ TEST(Distinguish, NeedsAnIntervalWithoutZeroAndMoreThanTheTruthsError) {
             DifferenceVerdict::notDistinguishable);
   EXPECT_EQ(distinguish({-0.02, compare::Interval{-0.03, -0.01}, 0.02}),
             DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(distinguish({0.5, std::nullopt, 0}), DifferenceVerdict::notDistinguishable);
+}
+
+/// Want of an interval is an answer of its own, unless the truth's uncertainty decides without one.
+TEST(Distinguish, WithoutAnIntervalSaysSo) {
+  EXPECT_EQ(distinguish({0.5, std::nullopt, 0.1}), DifferenceVerdict::noInterval);
+  EXPECT_EQ(distinguish({-0.5, std::nullopt, 0}), DifferenceVerdict::noInterval);
+  EXPECT_EQ(distinguish({0.1, std::nullopt, 0.1}), DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(opposite(DifferenceVerdict::noInterval), DifferenceVerdict::noInterval);
+  EXPECT_FALSE(isDistinguishable(DifferenceVerdict::noInterval));
+}
+
+TEST(Distinguish, CallsEqualAnswersEqual) {
+  EXPECT_EQ(distinguish({0, std::nullopt, 0.1, true}), DifferenceVerdict::equal);
+  EXPECT_EQ(distinguish({0, std::nullopt, 0, true}, 0.5), DifferenceVerdict::noInterval)
+      << "of another number than 0 equal answers say nothing";
+  EXPECT_EQ(opposite(DifferenceVerdict::equal), DifferenceVerdict::equal);
+  EXPECT_FALSE(isDistinguishable(DifferenceVerdict::equal));
+}
+
+TEST(LikeMethods, SortsByTheVerdict) {
+  LikeMethods like;
+  like.add("a", DifferenceVerdict::equal);
+  like.add("b", DifferenceVerdict::notDistinguishable);
+  like.add("c", DifferenceVerdict::noInterval);
+  like.add("d", DifferenceVerdict::better);
+  like.add("e", DifferenceVerdict::worse);
+  EXPECT_EQ(like.equal, std::vector<std::string>{"a"});
+  EXPECT_EQ(like.close, std::vector<std::string>{"b"});
+  EXPECT_EQ(like.withoutInterval, std::vector<std::string>{"c"});
 }
 
 TEST(Distinguish, WithoutIntervalsAsksForMoreThanTheTruthsErrorAlone) {
@@ -109,8 +137,43 @@ TEST(DifferenceOverViews, IsTheMeanWithTheMeanOfTheEnds) {
   record.differences[3] = row("camera", "all", 0.5, std::nullopt, 0.003);
   EXPECT_FALSE(differenceOverViews(record, "a", "b")->interval);
   EXPECT_EQ(differenceOverViews(record, "a", "b")->reason, "too few");
-  EXPECT_EQ(differenceOverViews(record, "a", "b")->verdict, DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(differenceOverViews(record, "a", "b")->verdict, DifferenceVerdict::noInterval);
   EXPECT_FALSE(differenceOverViews(record, "a", "c"));
+}
+
+/// What has no interval in one of twelve scenes may be anything there, from -1 to 1: a difference
+/// of 12 points is more than the twelfth that this can be.
+TEST(MeanDifference, OneOfManyWithoutAnIntervalLeavesALargeDifferenceKnown) {
+  std::vector<DifferenceRecord> scenes(
+      12, row("camera", "all", 0.12, compare::Interval{0.1, 0.14}, 0.001));
+  scenes[4] = row("camera", "all", 0.12, std::nullopt, 0.001);
+  const DifferenceRecord large = meanDifference(scenes);
+  EXPECT_EQ(large.verdict, DifferenceVerdict::worse);
+  ASSERT_TRUE(large.interval);
+  EXPECT_NEAR(large.interval->low, (11 * 0.1 - 1) / 12, 1e-15);
+  EXPECT_NEAR(large.interval->high, (11 * 0.14 + 1) / 12, 1e-15);
+  EXPECT_EQ(large.reason, "");
+  for (DifferenceRecord& scene : scenes) {
+    scene.difference /= 10;
+    if (scene.interval) scene.interval = compare::Interval{0.01, 0.014};
+  }
+  const DifferenceRecord small = meanDifference(scenes);
+  EXPECT_EQ(small.verdict, DifferenceVerdict::noInterval);
+  EXPECT_FALSE(small.interval);
+  EXPECT_EQ(small.reason, "too few");
+}
+
+TEST(MeanDifference, IsEqualWhereAllAre) {
+  DifferenceRecord equal = row("camera", "all", 0, std::nullopt, 0.001);
+  equal.verdict = DifferenceVerdict::equal;
+  EXPECT_EQ(meanDifference({equal, equal}).verdict, DifferenceVerdict::equal);
+  EXPECT_EQ(swapped(meanDifference({equal, equal})).verdict, DifferenceVerdict::equal);
+  // Nothing less than half of the other's.
+  const DifferenceRecord half =
+      meanDifference({equal, row("camera", "all", 0.04, compare::Interval{0.03, 0.05}, 0.001)});
+  EXPECT_EQ(half.verdict, DifferenceVerdict::worse);
+  EXPECT_DOUBLE_EQ(half.interval->low, 0.015);
+  EXPECT_EQ(half.reason, "");
 }
 
 TEST(DifferencesOverViews, HasEveryPairThatSharesAView) {

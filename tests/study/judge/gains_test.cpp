@@ -56,7 +56,7 @@ TEST(Gains, CompareGainsByTheIntervalsOfBoth) {
   EXPECT_EQ(judgeClaim(newIsBetter("there"), {here, there}).verdict, Verdict::notDistinguishable);
   there.differences.back().interval.reset();
   const ClaimRecord unknown = judgeClaim(newIsBetter("there"), {here, there});
-  EXPECT_EQ(unknown.verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(unknown.verdict, Verdict::noInterval);
   EXPECT_THAT(unknown.detail, HasSubstr("their difference has no interval"));
 }
 

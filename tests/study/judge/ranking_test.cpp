@@ -81,9 +81,9 @@ TEST(Ranking, CloserThanTheTruthKnowsIsNotDistinguishable) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   EXPECT_EQ(ranked[0].label, "best");
   EXPECT_DOUBLE_EQ(*ranked[0].uncertainty, 0.003);
-  EXPECT_EQ(ranked[0].indistinguishable, std::vector<std::string>{"close"});
-  EXPECT_EQ(ranked[1].indistinguishable, std::vector<std::string>{"best"});
-  EXPECT_TRUE(ranked[2].indistinguishable.empty());
+  EXPECT_EQ(ranked[0].like.close, std::vector<std::string>{"close"});
+  EXPECT_EQ(ranked[1].like.close, std::vector<std::string>{"best"});
+  EXPECT_TRUE(ranked[2].like.close.empty());
 }
 
 TEST(Ranking, AnIntervalThatHoldsZeroIsNotDistinguishable) {
@@ -92,12 +92,12 @@ TEST(Ranking, AnIntervalThatHoldsZeroIsNotDistinguishable) {
   record.truth.uncertainty = 0;
   addDifferences(record, 1e-6);
   for (const RankedMethod& method : rankMethods(record)) {
-    EXPECT_TRUE(method.indistinguishable.empty());
+    EXPECT_TRUE(method.like.close.empty());
   }
   addDifferences(record, 0.003);
-  EXPECT_EQ(rankMethods(record)[0].indistinguishable, std::vector<std::string>{"close"});
+  EXPECT_EQ(rankMethods(record)[0].like.close, std::vector<std::string>{"close"});
   addDifferences(record, 0.1);
-  EXPECT_EQ(rankMethods(record)[0].indistinguishable.size(), 2U);
+  EXPECT_EQ(rankMethods(record)[0].like.close.size(), 2U);
 }
 
 TEST(Ranking, WithoutAMeasurementNothingIsCalledEqual) {
@@ -106,7 +106,7 @@ TEST(Ranking, WithoutAMeasurementNothingIsCalledEqual) {
   record.truth.uncertainty = 0;
   for (const RankedMethod& method : rankMethods(record)) {
     EXPECT_FALSE(method.uncertainty);
-    EXPECT_TRUE(method.indistinguishable.empty());
+    EXPECT_TRUE(method.like.close.empty());
   }
 }
 

@@ -60,18 +60,21 @@ Json spreadJson(const study::ClaimSpread& spread) {
     return jsonNumber(spread.quartiles ? std::optional((*spread.quartiles).*which) : std::nullopt,
                       "claims.spread");
   };
-  return {{"cases", spread.cases},
-          {"held", spread.held},
-          {"failed", spread.failed},
-          {"not_distinguishable", spread.notDistinguishable()},
-          {"intervals", spread.hasIntervals},
-          {"together", spread.together ? Json(verdictName(*spread.together)) : Json(nullptr)},
-          {"quantity", spread.quantity},
-          {"least", quartile(&study::Quartiles::least)},
-          {"quartile_1", quartile(&study::Quartiles::first)},
-          {"median", quartile(&study::Quartiles::median)},
-          {"quartile_3", quartile(&study::Quartiles::third)},
-          {"most", quartile(&study::Quartiles::most)}};
+  return {
+      {"cases", spread.cases},
+      {"held", spread.held},
+      {"failed", spread.failed},
+      {"equal", spread.equal},
+      {"not_distinguishable", spread.notDistinguishable()},
+      {"no_interval", spread.withoutInterval},
+      {"intervals", spread.hasIntervals},
+      {"together", spread.together ? Json(study::verdictName(*spread.together)) : Json(nullptr)},
+      {"quantity", spread.quantity},
+      {"least", quartile(&study::Quartiles::least)},
+      {"quartile_1", quartile(&study::Quartiles::first)},
+      {"median", quartile(&study::Quartiles::median)},
+      {"quartile_3", quartile(&study::Quartiles::third)},
+      {"most", quartile(&study::Quartiles::most)}};
 }
 
 template <typename Row, typename NameOf>
@@ -159,7 +162,7 @@ Json jsonTruth(const study::TruthRecord& truth) {
 Json jsonClaim(const study::ClaimRecord& claim) {
   return {{"text", claim.text},
           {"source", claim.source},
-          {"verdict", verdictName(claim.verdict)},
+          {"verdict", study::verdictName(claim.verdict)},
           {"detail", claim.detail},
           {"methods", claim.methods},
           {"spread", claim.spread ? spreadJson(*claim.spread) : Json(nullptr)},
@@ -167,7 +170,7 @@ Json jsonClaim(const study::ClaimRecord& claim) {
 }
 
 Json jsonRadiusCheck(const study::ClaimRecord& claim) {
-  return radiusJson(claim, verdictName);
+  return radiusJson(claim, study::verdictName);
 }
 
 Json jsonRadiusCheck(const study::DifferenceRecord& difference) {

@@ -1,6 +1,7 @@
 #include "report/json/ranking_json.h"
 
 #include "report/json/json_values.h"
+#include "report/text/names.h"
 
 namespace gnomon::report {
 namespace {
@@ -23,7 +24,10 @@ Json rankedMethodJson(const study::RankedOverStudies& method) {
           {"worst_error_rate", jsonNumber(method.worstError, "methods.worst_error_rate")},
           {"worst_study", method.worstError ? Json(method.worstStudy) : Json(nullptr)},
           {"uncertainty", jsonNumber(method.uncertainty, "methods.uncertainty")},
-          {"leader_error_rate", jsonNumber(method.leaderError, "methods.leader_error_rate")}};
+          {"leader_error_rate", jsonNumber(method.leaderError, "methods.leader_error_rate")},
+          {"to_best",
+           method.toBest ? Json(differenceVerdictName(method.toBest->verdict)) : Json(nullptr)},
+          {"reason", jsonReason(method.toBest ? method.toBest->reason : "")}};
 }
 
 Json resultsJson(std::span<const study::StudyMeans> studies) {

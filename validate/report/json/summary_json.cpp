@@ -4,6 +4,7 @@
 #include "report/tables/cost_table.h"
 #include "report/text/interval_text.h"
 #include "report/text/names.h"
+#include "study/judge/distinguish.h"
 #include "study/record/result_metrics.h"
 #include "study/run/stages/budget.h"
 
@@ -140,7 +141,7 @@ Json shareJson(const study::BudgetShare& share) {
           {"low", jsonNumber(lowOf(share.interval), "budget.low")},
           {"high", jsonNumber(highOf(share.interval), "budget.high")},
           {"reason", jsonReason(share.reason)},
-          {"distinguishable", share.distinguishable}};
+          {"distinguishable", study::isDistinguishable(share.verdict)}};
 }
 
 Json causeJson(const study::BudgetCause& cause) {

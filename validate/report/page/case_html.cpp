@@ -15,6 +15,7 @@
 #include "report/tables/case_tables.h"
 #include "report/tables/formats/html_format.h"
 #include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
 #include "report/text/terms_html.h"
 #include "study/judge/study_means.h"
 #include "study/spec/file_names.h"
@@ -90,12 +91,10 @@ Html caseTables(const study::StudyRecord& record, const study::Case& which) {
   Html content;
   const Table metrics = caseTable(record, std::array{which});
   if (!metrics.rows.empty()) {
-    content +=
-        html("<h3>All samples</h3>\n{}{}",
-             htmlNote(fmt::format("In percent of {}. ≈ marks methods that are not distinguishable "
-                                  "from the best.",
-                                  errorWhole(study::isSoft(record)))),
-             htmlTable(metrics));
+    content += html("<h3>All samples</h3>\n{}{}",
+                    htmlNote(fmt::format("In percent of {}. Compared with the best: {}.",
+                                         errorWhole(study::isSoft(record)), signMeaning)),
+                    htmlTable(metrics));
   }
   const Table regions = regionTable(record, which);
   if (!regions.rows.empty()) {

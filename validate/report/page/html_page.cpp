@@ -19,7 +19,7 @@ Html verdictTag(study::Verdict verdict) {
   const char* kind = verdict == study::Verdict::held     ? "held"
                      : verdict == study::Verdict::failed ? "failed"
                                                          : "open";
-  return html("<span class=\"tag {}\">{}</span>", kind, verdictName(verdict));
+  return html("<span class=\"tag {}\">{}</span>", kind, study::verdictName(verdict));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "report/tables/means_table.h"
 #include "report/tables/ranked_table.h"
 #include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
 
 namespace gnomon::report {
 namespace {
@@ -67,9 +68,10 @@ Html rankingHtml(std::span<const study::StudyMeans> studies, std::string_view co
           html("<p class=\"note\">Percent of {}: in each study the mean over its "
                "lights and views, then the mean over the studies, each with the same "
                "weight. A case is a view under a light; a method that lacks one has no "
-               "rank. <b>Truth ±</b> is the truth’s own uncertainty, ≈ a method that is not "
-               "distinguishable from the best, or could not be compared with it.</p>\n{}",
-               errorWholeOver(studies), htmlTable(rankedOverStudiesTable(studies, ranking)))) +
+               "rank. <b>Truth ±</b> is the truth’s own uncertainty. Compared with the best: "
+               "{}.</p>\n{}",
+               errorWholeOver(studies), signMeaning,
+               htmlTable(rankedOverStudiesTable(studies, ranking)))) +
           htmlSection("matrix", "Error by study",
                       html("<p class=\"note\">The stronger the tint, the larger the error.{}</p>\n"
                            "{}",

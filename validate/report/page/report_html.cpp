@@ -22,6 +22,7 @@
 #include "report/text/confidence_text.h"
 #include "report/text/interval_text.h"
 #include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
 #include "report/text/refinement_text.h"
 #include "report/text/terms_html.h"
 #include "study/judge/distinguish.h"
@@ -39,10 +40,10 @@ Html rankingSection(const study::StudyRecord& record,
            "the two parts of the error, <i class=\"chip shadow\"></i> {} and "
            "<i class=\"chip light\"></i> {}; round its end the {} "
            "<i class=\"chip truth\"></i> and the 95 % interval <i class=\"chip whisker\"></i>. "
-           "≈ means {} from the best. A method that does not answer in every {} has no "
+           "Compared with the best: {}. A method that does not answer in every {} has no "
            "rank.</p>\n{}",
            errorWhole(study::isSoft(record)), htmlTerm("false shadow"), htmlTerm("false light"),
-           htmlTerm("uncertainty of the truth"), htmlTerm("not distinguishable"), htmlTerm("case"),
+           htmlTerm("uncertainty of the truth"), signMeaning, htmlTerm("case"),
            htmlTable(rankedTable(record, ranked))));
 }
 

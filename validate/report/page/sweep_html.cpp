@@ -44,17 +44,16 @@ Html sweepAnswer(const study::SweepRecord& sweep) {
   const std::vector<ErrorSpread> spreads = errorSpreads(sweep);
   const auto spread = std::find_if(spreads.begin(), spreads.end(),
                                    [&](const auto& each) { return each.method == best.label; });
-  LikeMethods like;
+  study::LikeMethods like;
   for (const study::RankedOverStudies& method : ranked) {
-    if (!method.closeToBest) continue;
-    (method.hasNoInterval ? like.withoutInterval : like.close).push_back(method.label);
+    if (method.toBest) like.add(method.label, method.toBest->verdict);
   }
   Html text = html("Of {}, <b>{}</b> is closest to the {}: {} on average, from {} to {}&#8239;%.",
                    plural(ranked.size(), "method"), best.label, htmlTerm("truth"),
                    errorHtml(study::isSoft(sweep), best.meanError), percentText(spread->least),
                    percentText(spread->largest));
-  const std::string alike = indistinguishableText(like);
-  if (!alike.empty()) text += html(" It {}{}.", like.close.empty() ? "" : "is ", alike);
+  const std::string alike = likeText(like);
+  if (!alike.empty()) text += html(" Its comparisons: {}.", alike);
   if (best.uncertainty) {
     text += html(" The truth itself is {} by {}&#8239;%.",
                  htmlTerm("uncertainty of the truth", "uncertain"), percentText(best.uncertainty));

@@ -18,6 +18,7 @@
 #include "report/text/confidence_text.h"
 #include "report/text/gate_text.h"
 #include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
 #include "report/text/refinement_text.h"
 #include "report/text/terminal_page.h"
 #include "study/judge/study_means.h"
@@ -77,8 +78,8 @@ void appendResults(TerminalPage& page, const study::StudyRecord& record) {
       "Percent of {} wrong in the drawn picture, which is the shadow test and the shading "
       "together. "
       "Test: wrong by the shadow test alone. Length: how long cast shadows are, divided by the "
-      "truth's; the median. ≈ means not distinguishable from the best under that light.",
-      study::isSoft(record) ? "the light that is" : "the samples that are"));
+      "truth's; the median. Compared with the best under that light: {}.",
+      study::isSoft(record) ? "the light that is" : "the samples that are", signMeaning));
   while (!left.empty()) {
     const std::string view = left.front().view;
     const auto rest = std::stable_partition(left.begin(), left.end(),
@@ -224,8 +225,9 @@ std::string terminalReport(std::span<const study::StudyMeans> studies, bool colo
   TerminalPage page(colours);
   page.heading(fmt::format("Methods over {} studies", studies.size()));
   page.paragraph(
-      "Error rate in percent, each study with the same weight. ≈ not distinguishable from the "
-      "best.");
+      fmt::format("Error rate in percent, each study with the same weight. Compared with the best: "
+                  "{}.",
+                  signMeaning));
   appendTable(page, rankedOverStudiesTable(studies, study::rankOverStudies(studies)));
   return page.text();
 }

@@ -48,7 +48,21 @@ render::MethodMark readMark(const JsonReader& method) {
   return {method.text("family"), method.text("symbol")};
 }
 
-/// What statistics over scenes need of a record: the drawn answers over all samples, and the bins.
+/// Of any verdict, those of methods that answer alike are needed alone.
+study::DifferenceRecord readDifference(const JsonReader& row) {
+  study::DifferenceRecord difference;
+  difference.view = row.text("view");
+  difference.light = row.text("light");
+  difference.first = row.text("first");
+  difference.second = row.text("second");
+  if (row.text("verdict") == differenceVerdictName(study::DifferenceVerdict::equal)) {
+    difference.verdict = study::DifferenceVerdict::equal;
+  }
+  return difference;
+}
+
+/// What statistics over scenes need of a record: the drawn answers over all samples, which methods
+/// answer alike, and the bins.
 study::StudyRecord readRecord(const JsonReader& summary, const std::string& suite) {
   const JsonReader study = summary.object("study");
   study::StudyRecord record;
@@ -73,6 +87,9 @@ study::StudyRecord readRecord(const JsonReader& summary, const std::string& suit
     if (row.has("mae")) {  // under a light with a disc
       record.results.back().shares.push_back({"mae", row.numberOrNull("mae"), {}});
     }
+  }
+  for (const JsonReader& row : summary.list("differences")) {
+    record.differences.push_back(readDifference(row));
   }
   for (const JsonReader& row : summary.list("bins")) record.bins.push_back(readBin(row));
   return record;

@@ -15,17 +15,15 @@ namespace {
 
 constexpr std::size_t mostHardScenes = 10;
 
-/// Labels of the methods that are not distinguishable from the first.
-std::vector<std::string> likeFirst(const study::SuiteStatistics& statistics) {
-  std::vector<std::string> alike;
+/// The methods with a rank that the first is not known to differ from.
+study::LikeMethods likeFirst(const study::SuiteStatistics& statistics) {
+  study::LikeMethods like;
   const std::string& first = statistics.methods.front().label;
   for (const study::SuiteMethod& method : statistics.methods) {
     const auto pair = method.rank ? study::findPair(statistics, first, method.label) : std::nullopt;
-    if (pair && pair->verdict == study::DifferenceVerdict::notDistinguishable) {
-      alike.push_back(method.label);
-    }
+    if (pair) like.add(method.label, pair->verdict);
   }
-  return alike;
+  return like;
 }
 
 Html bestOf(const study::SuiteStatistics& statistics) {
@@ -33,7 +31,7 @@ Html bestOf(const study::SuiteStatistics& statistics) {
     return html("No method was measured on every scene, so that none can be called the best.");
   }
   const study::SuiteMethod& best = statistics.methods.front();
-  const std::vector<std::string> alike = likeFirst(statistics);
+  const std::string alike = likeText(likeFirst(statistics));
   const Html interval =
       best.interval ? html(" (95&#8239;% interval {})", intervalText(best.interval)) : Html();
   return html(
@@ -42,7 +40,7 @@ Html bestOf(const study::SuiteStatistics& statistics) {
       best.label, leastErrorText(statistics.isSoft), percentText(best.spread.mean), interval,
       percentText(best.spread.worstTwentieth),
       alike.empty() ? html("It is distinguishable from every other ranked method.")
-                    : html("It is {}.", indistinguishableText({alike, {}})));
+                    : html("Its comparisons: {}.", alike));
 }
 
 /// What a figure of the page is.
@@ -83,10 +81,9 @@ Html rankedSection(const study::SuiteStatistics& statistics) {
           html("Percent of {}. <b>Worst 5&#8239;%</b> is the mean over the worst "
                "twentieth of the scenes. <b>Ranks</b> are those of 95&#8239;% of the resamples of "
                "the scenes, <b>same rank</b> the share of them in which the rank is the one in "
-               "the table. ≈ marks a method that is not distinguishable from the first: Holm’s "
-               "correction over all {} of methods allows no verdict, or the difference is within "
-               "the truth’s uncertainty.",
-               suiteFigure(statistics).of, plural(statistics.comparisons, "pair")),
+               "the table. Compared with the first, by Holm’s correction over all {} of methods: "
+               "{}.",
+               suiteFigure(statistics).of, plural(statistics.comparisons, "pair"), signMeaning),
           htmlTable(suiteRankedTable(statistics))));
 }
 
@@ -105,7 +102,8 @@ Html winsSection(const std::vector<DrawnPlot>& plots) {
       "wins", "Who beats whom",
       noted(html("How probable it is, in percent, that the method of the row has a smaller error "
                  "than that of the column on a new scene. Blue above 50, orange below it; "
-                 "no colour and ≈ where the two are not distinguishable."),
+                 "no colour where the two are not known to differ: ≈ not distinguishable, = the "
+                 "same answers, ? no interval."),
             plotOf(plots, "suite-wins")));
 }
 

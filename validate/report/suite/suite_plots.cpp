@@ -15,6 +15,7 @@
 #include "report/suite/suite_tables.h"
 #include "report/text/interval_text.h"
 #include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
 
 namespace gnomon::report {
 namespace {
@@ -59,7 +60,7 @@ std::string tint(const std::array<int, 3>& full, double strength) {
 }
 
 std::string cellColour(const study::SuitePair& pair) {
-  if (pair.verdict == study::DifferenceVerdict::notDistinguishable) return "0xffffff";
+  if (!study::isDistinguishable(pair.verdict)) return "0xffffff";
   const double lead = 2 * pair.wins.probability - 1;
   constexpr std::array<int, 3> blue = {0x00, 0x72, 0xb2};
   constexpr std::array<int, 3> orange = {0xd5, 0x5e, 0x00};
@@ -67,13 +68,12 @@ std::string cellColour(const study::SuitePair& pair) {
 }
 
 std::string cellText(const study::SuitePair& pair) {
-  const std::string text = fmt::format("{:.0f}", 100 * pair.wins.probability);
-  return pair.verdict == study::DifferenceVerdict::notDistinguishable ? text + " ≈" : text;
+  return fmt::format("{:.0f}{}", 100 * pair.wins.probability, differenceSign(pair.verdict));
 }
 
 /// White on strong tints.
 std::string textColour(const study::SuitePair& pair) {
-  if (pair.verdict == study::DifferenceVerdict::notDistinguishable) return "0x5b626b";
+  if (!study::isDistinguishable(pair.verdict)) return "0x5b626b";
   return std::abs(2 * pair.wins.probability - 1) > 0.6 ? "0xffffff" : "0x1a1d21";
 }
 

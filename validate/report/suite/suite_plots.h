@@ -15,8 +15,8 @@ PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics,
                           PlotPlace place = PlotPlace::paper);
 
 /// The methods with a rank, each against each: the probability that the row's has the smaller error
-/// on a new scene, in percent; blue above 50, orange below it. A pair that is not distinguishable
-/// has no colour, a grey figure and ≈.
+/// on a new scene, in percent; blue above 50, orange below it. A pair that is not known to differ
+/// has no colour, a grey figure and its differenceSign.
 PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics,
                         PlotPlace place = PlotPlace::paper);
 

@@ -9,6 +9,7 @@
 #include "common/lists.h"
 #include "report/text/names.h"
 #include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
 #include "study/judge/study_ranking.h"
 #include "study/run/scene/sample_axes.h"
 
@@ -30,12 +31,12 @@ const study::SuiteMethod* leaderOf(const study::SuiteStatistics& statistics) {
   return isAny ? &statistics.methods.front() : nullptr;
 }
 
-/// A method that is not the first, but not distinguishable from it.
-bool isLikeFirst(const study::SuiteStatistics& statistics, const study::SuiteMethod& method) {
+/// A method less the first of the ranking; none of that one itself, and without a rank.
+std::optional<study::SuitePair> pairToFirst(const study::SuiteStatistics& statistics,
+                                            const study::SuiteMethod& method) {
   const study::SuiteMethod* leader = leaderOf(statistics);
-  if (leader == nullptr || leader == &method || !method.rank) return false;
-  const auto pair = study::findPair(statistics, method.label, leader->label);
-  return pair && pair->verdict == study::DifferenceVerdict::notDistinguishable;
+  if (leader == nullptr || leader == &method || !method.rank) return std::nullopt;
+  return study::findPair(statistics, method.label, leader->label);
 }
 
 Row rankedRow(const study::SuiteStatistics& statistics, const study::SuiteMethod& method) {
@@ -50,12 +51,13 @@ Row rankedRow(const study::SuiteStatistics& statistics, const study::SuiteMethod
     ranks.text = rankText(method.rank->low, method.rank->high);
     stability.value = method.rank->stability;
   }
+  const auto pair = pairToFirst(statistics, method);
   return {{rank, textCell(study::labelWithName(method.label, method.names)), valueCell(spread.mean),
            intervalCell(method.interval, method.reason), valueCell(spread.median),
            intervalCell(compare::Interval{spread.lowerQuartile, spread.upperQuartile}),
            valueCell(spread.percentile95), valueCell(spread.worstTwentieth),
            valueCell(spread.worst), worst, ranks, stability, valueCell(method.uncertainty)},
-          isLikeFirst(statistics, method) ? " ≈" : "",
+          std::string(pair ? differenceSign(pair->verdict) : ""),
           method.rank ? ""
                       : fmt::format("on {} of {} scenes: no rank", spread.scenes,
                                     statistics.table.scenes.size()),
@@ -124,13 +126,12 @@ Table suiteRankedTable(const study::SuiteStatistics& statistics) {
       .kind = "suite",
       .label = statistics.suite,
       .title = fmt::format("{}: {} scenes", statistics.suite, statistics.table.scenes.size()),
-      .caption =
-          fmt::format("{} in percent of {} of a scene, over the scenes; the intervals are of "
-                      "95\u202f% and hold for new scenes of the suite. Worst 5\u202f%: mean over "
-                      "the worst twentieth of the scenes. Ranks: of 95\u202f% of the resamples of "
-                      "the scenes. ≈ marks methods that are not distinguishable from the first, by "
-                      "Holm's correction over all pairs.",
-                      figure.name, figure.of),
+      .caption = fmt::format(
+          "{} in percent of {} of a scene, over the scenes; the intervals are of "
+          "95\u202f% and hold for new scenes of the suite. Worst 5\u202f%: mean over "
+          "the worst twentieth of the scenes. Ranks: of 95\u202f% of the resamples of "
+          "the scenes. Compared with the first, by Holm's correction over all pairs: {}.",
+          figure.name, figure.of, signMeaning),
       .columns = {column("", Q::rank, "", "rank", wide), column("Method", Q::name),
                   column("Mean", Q::percent),
                   column("95 %", Q::interval, "of the mean, over scenes", "interval"),
@@ -148,9 +149,17 @@ Table suiteRankedTable(const study::SuiteStatistics& statistics) {
                          "uncertainty", wide)},
       .apart = "Not on every scene: no rank, since means over other scenes cannot be compared."};
   table.columns[2].isMain = true;
+  std::vector<study::DifferenceRecord> toFirst;
   for (const study::SuiteMethod& method : statistics.methods) {
     table.rows.push_back(rankedRow(statistics, method));
+    const auto pair = pairToFirst(statistics, method);
+    if (!pair) continue;
+    study::DifferenceRecord& difference = toFirst.emplace_back();
+    difference.first = method.label;
+    difference.reason = pair->reason;
+    difference.verdict = pair->verdict;
   }
+  table.notes = noIntervalNotes(toFirst);
   return table;
 }
 
@@ -174,8 +183,7 @@ Table suiteLeaderTable(const study::SuiteStatistics& statistics) {
     if (!pair) continue;
     const auto behind = *study::findPair(statistics, method.label, leader->label);
     Cell verdict = textCell(std::string(differenceVerdictName(pair->verdict)), pair->reason);
-    if (pair->verdict == study::DifferenceVerdict::notDistinguishable)
-      verdict.emphasis = Emphasis::open;
+    if (!study::isDistinguishable(pair->verdict)) verdict.emphasis = Emphasis::open;
     table.rows.push_back(
         {{textCell(method.label), valueCell(behind.difference),
           intervalCell(behind.interval, pair->reason),

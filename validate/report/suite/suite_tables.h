@@ -13,7 +13,7 @@ namespace gnomon::report {
 
 /// The methods, best mean first: the mean with its interval, median, quartiles, 95th percentile,
 /// mean of the worst twentieth, the worst scene, the interval of the rank and its stability, and
-/// the truth's uncertainty. ≈ marks a method that is not distinguishable from the first. Methods
+/// the truth's uncertainty. Signs as differenceSign, against the first. Methods
 /// that lack a scene stand apart.
 Table suiteRankedTable(const study::SuiteStatistics& statistics);
 

@@ -1,14 +1,18 @@
 #include "report/tables/budget_table.h"
 
 #include "report/text/budget_text.h"
+#include "report/text/names.h"
+#include "report/text/ranking_text.h"
 
 namespace gnomon::report {
 namespace {
 
 void appendShare(Row& row, const study::BudgetShare& share) {
-  Cell cell = valueCell(share.value, share.distinguishable ? "" : "not distinguishable from none");
-  cell.emphasis = share.distinguishable ? Emphasis::strong : Emphasis::quiet;
-  if (!share.distinguishable) cell.mark = " ≈";
+  const bool isSure = study::isDistinguishable(share.verdict);
+  Cell cell =
+      valueCell(share.value, isSure ? "" : std::string(differenceVerdictName(share.verdict)));
+  cell.emphasis = isSure ? Emphasis::strong : Emphasis::quiet;
+  cell.mark = differenceSign(share.verdict);
   row.cells.push_back(std::move(cell));
   row.cells.push_back(intervalCell(share.interval, share.reason));
 }
@@ -41,7 +45,7 @@ Row partRow(const study::BudgetRecord& budget, const std::string& part,
   for (const study::BudgetShare* share : {&forward, &backward}) {
     row.cells.push_back(valueCell(share->value));
     row.cells.push_back(intervalCell(share->interval));
-    row.cells.push_back(flagCell(share->distinguishable));
+    row.cells.push_back(flagCell(study::isDistinguishable(share->verdict)));
   }
   row.cells.push_back(valueCell(budget.uncertainty));
   return row;

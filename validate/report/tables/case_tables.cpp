@@ -54,10 +54,6 @@ Cell caseCell(const study::StudyRecord& record, const study::ResultRecord& drawn
   return column.quantity == Quantity::ratio ? lengthCell(*of, metric) : metricCell(metric);
 }
 
-bool isAlike(const study::DifferenceRecord& difference) {
-  return difference.verdict == study::DifferenceVerdict::notDistinguishable;
-}
-
 /// One case's results, and the one whose error is the smallest.
 struct CaseResults {
   std::vector<const study::ResultRecord*> all;
@@ -81,25 +77,20 @@ CaseResults resultsOf(const study::StudyRecord& record, const std::vector<std::s
   return results;
 }
 
-/// Of each method of a case those that it is not distinguishable from, in the record's order.
-std::map<std::string, LikeMethods> likeMethods(const study::StudyRecord& record,
-                                               const study::Case& which) {
-  std::map<std::string, LikeMethods> like;
-  const auto add = [&](const std::string& method, const std::string& other, bool hasInterval) {
-    LikeMethods& own = like[method];
-    (hasInterval ? own.close : own.withoutInterval).push_back(other);
-  };
+/// Of each method of a case those that it is not known to differ from, in the record's order.
+std::map<std::string, study::LikeMethods> likeMethods(const study::StudyRecord& record,
+                                                      const study::Case& which) {
+  std::map<std::string, study::LikeMethods> like;
   for (const study::DifferenceRecord& row : study::differencesIn(record, which.view, which.light)) {
-    if (!isAlike(row)) continue;
-    add(row.first, row.second, row.interval.has_value());
-    add(row.second, row.first, row.interval.has_value());
+    like[row.first].add(row.second, row.verdict);
+    like[row.second].add(row.first, row.verdict);
   }
   return like;
 }
 
-Cell methodCell(const std::string& method, const LikeMethods& like) {
+Cell methodCell(const std::string& method, const study::LikeMethods& like) {
   Cell cell = textCell(method);
-  cell.note = indistinguishableText(like);
+  cell.note = likeText(like);
   return cell;
 }
 
@@ -161,9 +152,10 @@ Table caseTable(const study::StudyRecord& record, std::span<const study::Case> c
     if (metric.quantity == Quantity::correlation) table.columns.back().note = "−1 to 1";
   }
   const std::vector<std::string> methods = study::methodsOf(record);
+  std::vector<study::DifferenceRecord> toBest;
   for (const study::Case& which : cases) {
     const CaseResults results = resultsOf(record, methods, which);
-    std::map<std::string, LikeMethods> like = likeMethods(record, which);
+    std::map<std::string, study::LikeMethods> like = likeMethods(record, which);
     for (const study::ResultRecord* result : results.all) {
       Row row;
       // A light's name stands once, in its first row.
@@ -175,10 +167,14 @@ Table caseTable(const study::StudyRecord& record, std::span<const study::Case> c
       }
       const auto behind = study::differenceOf(record, which.view, which.light, result->method,
                                               results.best->method);
-      if (behind && isAlike(*behind)) row.mark = " ≈";
+      if (behind) {
+        row.mark = differenceSign(behind->verdict);
+        toBest.push_back(*behind);
+      }
       table.rows.push_back(std::move(row));
     }
   }
+  table.notes = noIntervalNotes(toBest);
   return table;
 }
 

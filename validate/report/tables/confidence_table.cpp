@@ -1,6 +1,7 @@
 #include "report/tables/confidence_table.h"
 
 #include "report/text/confidence_text.h"
+#include "report/text/ranking_text.h"
 #include "study/judge/distinguish.h"
 
 namespace gnomon::report {
@@ -36,6 +37,7 @@ Table confidenceTable(const study::StudyRecord& record, const std::string& view)
   for (const study::ConfidenceRecord& row : ranked) {
     table.rows.push_back(confidenceRow(record, row, ranked.front().method));
   }
+  table.notes = noIntervalNotes(differencesToBest(record, view));
   return table;
 }
 

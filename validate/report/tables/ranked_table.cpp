@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "common/lists.h"
 #include "report/tables/cost_table.h"
+#include "report/text/names.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 #include "study/judge/study_means.h"
@@ -13,17 +13,23 @@
 namespace gnomon::report {
 namespace {
 
-/// A ranked method that is not distinguishable from rank 1.
-bool isSameAsBest(const study::RankedMethod& method, const study::RankedMethod& best) {
-  return &method != &best && method.rank && contains(method.indistinguishable, best.label);
+/// The sign behind a method; none for rank 1 itself, and for one that could not be compared.
+std::string signOf(const study::RankedOverStudies& method) {
+  return std::string(method.toBest ? differenceSign(method.toBest->verdict) : "");
 }
 
-LikeMethods likeMethods(const study::RankedMethod& method) {
-  LikeMethods like{{}, method.withoutInterval};
-  std::copy_if(method.indistinguishable.begin(), method.indistinguishable.end(),
-               std::back_inserter(like.close),
-               [&](const std::string& label) { return !contains(method.withoutInterval, label); });
-  return like;
+/// "worse", "equal", …: empty for rank 1 itself, and for a method that could not be compared.
+Cell toBestCell(const study::RankedOverStudies& method) {
+  return textCell(std::string(method.toBest ? differenceVerdictName(method.toBest->verdict) : ""));
+}
+
+template <typename Methods>
+std::vector<std::string> notesOf(const Methods& ranked) {
+  std::vector<study::DifferenceRecord> toBest;
+  for (const study::RankedOverStudies& method : ranked) {
+    if (method.toBest) toBest.push_back(*method.toBest);
+  }
+  return noIntervalNotes(toBest);
 }
 
 /// The error at the right end of the bars: the largest of the errors, ends of intervals and ends of
@@ -62,21 +68,20 @@ Cell rankCell(std::optional<std::size_t> rank) {
 Row rankedRow(const study::StudyRecord& record, const study::RankedMethod& method,
               const study::RankedMethod& best, double scale) {
   const study::CostRecord* cost = costOf(record, method.label);
-  const bool isSame = isSameAsBest(method, best);
   Cell name = textCell(method.label);
   name.bar = barOf(method, scale);
-  name.note = indistinguishableText(likeMethods(method));
+  name.note = likeText(method.like);
   Cell error = valueCell(method.errorRate.value);
   error.uncertainty = method.uncertainty;
   const auto mean = [&](const study::Mean& of) { return meanCell(of, method.cases); };
   return {{rankCell(method.rank), name, error,
            intervalCell(method.interval, method.interval ? "" : "no interval was measured"),
-           valueCell(method.uncertainty), flagCell(isSame), mean(method.testError),
+           valueCell(method.uncertainty), toBestCell(method), mean(method.testError),
            mean(method.falseShadow), mean(method.falseLight), mean(method.iou), mean(method.ber),
            countCell(method.cases), countCell(method.allCases), valueCell(method.leaderError),
            valueCell(cost ? std::optional(static_cast<double>(memoryBytes(*cost))) : std::nullopt),
            valueCell(cost ? cost->frameMs : std::nullopt)},
-          isSame ? " ≈" : "",
+          signOf(method),
           method.rank
               ? ""
               : fewerCasesText(method.cases, method.allCases, best.label, method.leaderError),
@@ -95,26 +100,12 @@ std::string rankedCaption(const study::StudyRecord& record,
       "Test: the error of the shadow test without the shading.",
       errorWhole(study::isSoft(record)));
   if (!ranked.empty() && ranked.front().uncertainty) {
-    text += fmt::format(
-        " The truth itself is uncertain by {}\u202f%; ≈ marks methods that are not distinguishable "
-        "from the best: the 95\u202f% interval of the difference contains 0 or could not be "
-        "measured, or the difference is no larger than that uncertainty.",
-        percentText(ranked.front().uncertainty));
+    text += fmt::format(" The truth itself is uncertain by {}\u202f%.",
+                        percentText(ranked.front().uncertainty));
   }
+  text += fmt::format(" Compared with the best: {}.", signMeaning);
   if (!record.cost.empty() && !isTimed(record)) text += " No frame was timed.";
   return text;
-}
-
-/// Why a method is marked, or what its mean may be compared with where it has no rank.
-std::string overStudiesRemark(const study::RankedOverStudies& method,
-                              const study::RankedOverStudies& best) {
-  if (!method.rank) {
-    return fewerCasesText(method.cases, method.allCases, best.label, method.leaderError);
-  }
-  if (!method.closeToBest) return "";
-  return fmt::format("{} {}: {}",
-                     method.hasNoInterval ? "not compared with" : "not distinguishable from",
-                     best.label, *method.closeToBest);
 }
 
 Row overStudiesRow(const study::RankedOverStudies& method, const study::RankedOverStudies& best) {
@@ -122,8 +113,10 @@ Row overStudiesRow(const study::RankedOverStudies& method, const study::RankedOv
            valueCell(method.meanError), valueCell(method.worstError), textCell(method.worstStudy),
            textCell(fmt::format("{} of {}", method.cases, method.allCases)),
            valueCell(method.uncertainty)},
-          method.closeToBest ? " ≈" : "",
-          overStudiesRemark(method, best),
+          signOf(method),
+          method.rank
+              ? ""
+              : fewerCasesText(method.cases, method.allCases, best.label, method.leaderError),
           !method.rank};
 }
 
@@ -141,7 +134,7 @@ Table rankedTable(const study::StudyRecord& record,
                           {"Error", "error_rate", Q::percent},
                           {"95 %", "", Q::interval},
                           {"", "uncertainty", Q::exact, asData},
-                          {"", "same_as_best", Q::exact, asData},
+                          {"", "to_best", Q::exact, asData},
                           {"Test", "test_error_rate", Q::percent, byAll & ~inColumn},
                           {"False shadow", "false_shadow", Q::percent},
                           {"False light", "false_light", Q::percent},
@@ -158,6 +151,7 @@ Table rankedTable(const study::StudyRecord& record,
   for (const study::RankedMethod& method : ranked) {
     table.rows.push_back(rankedRow(record, method, ranked.front(), scale));
   }
+  table.notes = notesOf(ranked);
   return table;
 }
 
@@ -176,9 +170,9 @@ Table rankedOverStudiesTable(std::span<const study::StudyMeans> studies,
               .title = fmt::format("Methods over {} studies", studies.size()),
               .caption = fmt::format(
                   "Error rate in percent of {}: in each study the mean over its lights and "
-                  "views, then over the studies, each with the same weight. ≈ marks methods "
-                  "that are not distinguishable from the best, or could not be compared with it.",
-                  errorWholeOver(studies)),
+                  "views, then over the studies, each with the same weight. Compared with the "
+                  "best: {}.",
+                  errorWholeOver(studies), signMeaning),
               .columns = {{"", "rank", Q::rank},
                           {"Method", "method", Q::name},
                           {"Mean", "mean_error_rate", Q::percent},
@@ -196,6 +190,7 @@ Table rankedOverStudiesTable(std::span<const study::StudyMeans> studies,
   for (const study::RankedOverStudies& method : ranked) {
     table.rows.push_back(overStudiesRow(method, ranked.front()));
   }
+  table.notes = notesOf(ranked);
   return table;
 }
 

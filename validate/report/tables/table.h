@@ -98,6 +98,7 @@ struct Table {
   std::vector<Column> columns;
   std::vector<Row> rows = {};
   std::string apart = {};  ///< why rows are apart; printed once before them, on a terminal
+  std::vector<std::string> notes = {};  ///< below it, in every format for people
 };
 
 /// Cells of one kind each.

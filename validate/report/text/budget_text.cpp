@@ -20,8 +20,9 @@ std::string budgetNote(const study::BudgetRecord& budget, bool isSoft) {
       "corrected minus the error after. Causes are corrected in the order of the list (forward) or "
       "from its end (backward), each time starting from the published method. A share below zero: "
       "the correction made the error larger. {} It comes from {} blocks. ≈ not distinguishable "
-      "from zero: the interval contains 0, there is none, or the share is within the truth’s "
-      "uncertainty of {} %. What is left is split by region, each sample in the first that it is "
+      "from zero: the interval contains 0, or the share is within the truth’s uncertainty of {} %; "
+      "= no answer changed; ? no interval. What is left is split by region, each sample in the "
+      "first that it is "
       "in: "
       "{}.",
       errorWhole(isSoft), budget.view,

@@ -37,19 +37,6 @@ class Range {
   double high_ = -std::numeric_limits<double>::infinity();
 };
 
-/// Of a view's methods to the best, all lights together: what the marks of its table say.
-std::vector<study::DifferenceRecord> differencesToBest(
-    const study::StudyRecord& record, const std::string& view,
-    const std::vector<study::ConfidenceRecord>& ranked) {
-  std::vector<study::DifferenceRecord> found;
-  for (const study::ConfidenceRecord& row : ranked) {
-    const auto toBest =
-        study::differenceOf(record, view, study::allLights, row.method, ranked.front().method);
-    if (toBest) found.push_back(*toBest);
-  }
-  return found;
-}
-
 /// @param difference  of the worse method, less the best
 /// @param whole  what it is a share of (errorWhole)
 std::string betterText(const study::DifferenceRecord& difference, const char* whole) {
@@ -85,35 +72,47 @@ std::string verdictText(const study::StudyRecord& record, const std::string& vie
   if (ranked.size() < 2) return "";
   const std::string& best = ranked.front().method;
   std::string better;
-  LikeMethods like;
-  for (std::size_t i = 1; i < ranked.size(); ++i) {
-    const auto difference =
-        study::differenceOf(record, view, study::allLights, ranked[i].method, best);
-    if (!difference) continue;
-    if (difference->verdict == study::DifferenceVerdict::notDistinguishable) {
-      (difference->interval ? like.close : like.withoutInterval).push_back(ranked[i].method);
-    } else if (better.empty()) {
-      better = betterText(*difference, errorWhole(study::isSoft(record)));
+  study::LikeMethods like;
+  for (const study::DifferenceRecord& difference : differencesToBest(record, view)) {
+    like.add(difference.first, difference.verdict);
+    if (better.empty() && study::isDistinguishable(difference.verdict)) {
+      better = betterText(difference, errorWhole(study::isSoft(record)));
     }
   }
   std::string text = better;
   const auto add = [&](const std::string& sentence) {
     text += (text.empty() ? "" : " ") + sentence;
   };
+  const std::string name = quotedText(best);
+  if (!like.equal.empty()) {
+    add(fmt::format("{} gives the same answers as {}.", name, listText(like.equal)));
+  }
   if (!like.close.empty()) {
-    add(fmt::format("{} is not distinguishable from {}.", quotedText(best), listText(like.close)));
+    add(fmt::format("{} is not distinguishable from {}.", name, listText(like.close)));
   }
   if (!like.withoutInterval.empty()) {
-    add(fmt::format("{} could not be compared with {}: the difference has no 95 % interval.",
-                    quotedText(best), listText(like.withoutInterval)));
+    add(fmt::format("{} could not be compared with {}: the difference has no 95 % interval.", name,
+                    listText(like.withoutInterval)));
   }
   return text;
 }
 
+std::vector<study::DifferenceRecord> differencesToBest(const study::StudyRecord& record,
+                                                       const std::string& view) {
+  const std::vector<study::ConfidenceRecord> ranked = rankedIn(record, view);
+  std::vector<study::DifferenceRecord> found;
+  for (const study::ConfidenceRecord& row : ranked) {
+    const auto toBest =
+        study::differenceOf(record, view, study::allLights, row.method, ranked.front().method);
+    if (toBest) found.push_back(*toBest);
+  }
+  return found;
+}
+
 std::string differenceMark(const study::DifferenceRecord& toBest) {
-  const bool isAlike = toBest.verdict == study::DifferenceVerdict::notDistinguishable;
-  if (radiusNote(toBest).empty()) return isAlike ? " ≈" : "";
-  return (isAlike ? "≈" : " ") + std::string(radiusMark);
+  const std::string sign(differenceSign(toBest.verdict));
+  if (radiusNote(toBest).empty()) return sign;
+  return (sign.empty() ? sign + " " : sign.substr(1)) + std::string(radiusMark);
 }
 
 std::string confidenceNote(const study::StudyRecord& record, const std::string& view) {
@@ -123,7 +122,7 @@ std::string confidenceNote(const study::StudyRecord& record, const std::string& 
   for (const study::ConfidenceRecord& row : ranked) blocks.add(static_cast<double>(row.blocks));
   Range uncertainty;
   std::string radius;
-  for (const study::DifferenceRecord& toBest : differencesToBest(record, view, ranked)) {
+  for (const study::DifferenceRecord& toBest : differencesToBest(record, view)) {
     uncertainty.add(toBest.uncertainty);
     if (toBest.radius) {
       radius = fmt::format(" {} The verdict changes when the search radius is halved or doubled.",
@@ -133,15 +132,14 @@ std::string confidenceNote(const study::StudyRecord& record, const std::string& 
   const std::string truth =
       uncertainty.isEmpty()
           ? ""
-          : fmt::format(", or the difference is within the truth’s uncertainty of {} %",
+          : fmt::format(" The truth’s uncertainty is {} %.",
                         uncertainty.text([](double share) { return percentText(share); }));
   return fmt::format(
       "Percent of {}, mean over the lights. {} It comes from {} blocks of {} × {} "
-      "samples. ≈ means not distinguishable from the best: the 95 % interval of the difference "
-      "contains 0 or could not be measured{}.{}",
+      "samples. Compared with the best: {}.{}{}",
       errorWhole(study::isSoft(record)), intervalMeaning,
       blocks.text([](double count) { return fmt::format("{}", count); }), ranked.front().blockSide,
-      ranked.front().blockSide, truth, radius);
+      ranked.front().blockSide, signMeaning, truth, radius);
 }
 
 }  // namespace gnomon::report

@@ -19,12 +19,16 @@ std::vector<study::ConfidenceRecord> rankedIn(const study::StudyRecord& record,
 
 /// The verdict on the best method of a view, as sentences: "A is better than B by 1.06 % of the
 /// samples (95 % interval 0.75 to 1.32)", where B is the next method that is distinguishable from
-/// A; then the methods that are not, and those whose difference from A has no interval. Empty where
-/// there is nothing to compare.
+/// A; then the methods that answer alike, those that are not distinguishable, and those whose
+/// difference from A has no interval. Empty where there is nothing to compare.
 std::string verdictText(const study::StudyRecord& record, const std::string& view);
 
-/// The mark behind a method's row: " ≈" where it is not distinguishable from the best, †
-/// (radiusMark) where that depends on the search radius. Two columns at most.
+/// Of a view's methods to the best, all lights together, from the lowest error to the highest.
+std::vector<study::DifferenceRecord> differencesToBest(const study::StudyRecord& record,
+                                                       const std::string& view);
+
+/// The mark behind a method's row: its differenceSign, and † (radiusMark) where the verdict depends
+/// on the search radius. Two columns at most.
 std::string differenceMark(const study::DifferenceRecord& toBest);
 
 /// What the intervals of a view mean, on how many blocks they rest, and the truth's uncertainty.

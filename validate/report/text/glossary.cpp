@@ -35,8 +35,11 @@ constexpr auto terms = std::to_array<Term>({
     {"95 %", intervalMeaning},
     {"not distinguishable",
      "Marked ≈: the two errors may differ by chance alone. The interval of their difference "
-     "contains 0, no interval could be measured, or the difference is no larger than the truth's "
-     "own uncertainty."},
+     "contains 0, or the difference is no larger than the truth's own uncertainty."},
+    {"equal", "Marked =: both methods give the same answer at every sample."},
+    {"no interval",
+     "Marked ?: the difference of the two errors has no interval, so that nothing can be said. The "
+     "reason stands below the table."},
     {"uncertainty of the truth",
      "Marked ±: the share of samples whose answer changes when the truth is traced again at half "
      "its resolution. Smaller differences mean nothing."},
@@ -125,6 +128,8 @@ constexpr auto spellings = std::to_array<Spelling>({{"error_rate", "Error"},
                                                     {"False shadow", "false shadow"},
                                                     {"False light", "false light"},
                                                     {"≈", "not distinguishable"},
+                                                    {"=", "equal"},
+                                                    {"?", "no interval"},
                                                     {"±", "uncertainty of the truth"},
                                                     {"Truth ±", "uncertainty of the truth"},
                                                     {"Region", "region"},

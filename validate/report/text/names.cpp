@@ -4,20 +4,6 @@
 
 namespace gnomon::report {
 
-std::string_view verdictName(study::Verdict verdict) {
-  switch (verdict) {
-    case study::Verdict::held:
-      return "held";
-    case study::Verdict::failed:
-      return "failed";
-    case study::Verdict::notDistinguishable:
-      return "not distinguishable";
-    case study::Verdict::notEvaluated:
-      return "not evaluated";
-  }
-  throw InternalError("verdict: not one of its four values");
-}
-
 std::string_view runStatusName(study::RunStatus status) {
   switch (status) {
     case study::RunStatus::pass:
@@ -52,10 +38,14 @@ std::string_view differenceVerdictName(study::DifferenceVerdict verdict) {
       return "better";
     case study::DifferenceVerdict::worse:
       return "worse";
+    case study::DifferenceVerdict::equal:
+      return "equal";
     case study::DifferenceVerdict::notDistinguishable:
       return "not distinguishable";
+    case study::DifferenceVerdict::noInterval:
+      return "no interval";
   }
-  throw InternalError("verdict of a difference: not one of its three values");
+  throw InternalError("verdict of a difference: not one of its five values");
 }
 
 std::string_view pictureKindName(study::PictureRecord::Kind kind) {

@@ -6,16 +6,13 @@
 
 namespace gnomon::report {
 
-/// "held", "failed", "not distinguishable" or "not evaluated", the same in every kind of report.
-std::string_view verdictName(study::Verdict verdict);
-
 /// "pass", "fail" or "not judged": in every kind of report.
 std::string_view runStatusName(study::RunStatus status);
 
 /// "study", "mesh", "image" or "shader".
 std::string_view inputKindName(study::InputRecord::Kind kind);
 
-/// "better", "worse" or "not distinguishable": the first of two methods.
+/// "better", "worse", "equal", "not distinguishable" or "no interval": the first of two methods.
 std::string_view differenceVerdictName(study::DifferenceVerdict verdict);
 
 /// "shaded", "difference" or "displaced".

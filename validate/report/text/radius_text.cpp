@@ -8,7 +8,7 @@ namespace gnomon::report {
 namespace {
 
 std::string_view nameOf(study::Verdict verdict) {
-  return verdictName(verdict);
+  return study::verdictName(verdict);
 }
 
 std::string_view nameOf(study::DifferenceVerdict verdict) {

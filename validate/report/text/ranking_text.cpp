@@ -1,9 +1,12 @@
 #include "report/text/ranking_text.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "common/lists.h"
 #include "report/text/number_text.h"
 
 namespace gnomon::report {
@@ -34,12 +37,46 @@ std::string listText(const std::vector<std::string>& labels) {
   return text;
 }
 
-std::string indistinguishableText(const LikeMethods& methods) {
-  std::string text;
-  if (!methods.close.empty()) text = "not distinguishable from " + listText(methods.close);
-  if (methods.withoutInterval.empty()) return text;
-  return fmt::format("{}{}could not be compared with {}: no 95 % interval", text,
-                     text.empty() ? "" : "; ", listText(methods.withoutInterval));
+std::string_view differenceSign(study::DifferenceVerdict verdict) {
+  switch (verdict) {
+    case study::DifferenceVerdict::equal:
+      return " =";
+    case study::DifferenceVerdict::notDistinguishable:
+      return " ≈";
+    case study::DifferenceVerdict::noInterval:
+      return " ?";
+    default:
+      return "";
+  }
+}
+
+std::string likeText(const study::LikeMethods& methods) {
+  std::vector<std::string> parts;
+  const auto add = [&](const char* what, const std::vector<std::string>& labels) {
+    if (!labels.empty()) parts.push_back(what + listText(labels));
+  };
+  add("the same answers as ", methods.equal);
+  add("not distinguishable from ", methods.close);
+  add("no interval of the difference from ", methods.withoutInterval);
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+std::vector<std::string> noIntervalNotes(const std::vector<study::DifferenceRecord>& toBest) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> byReason;
+  for (const study::DifferenceRecord& difference : toBest) {
+    if (difference.verdict != study::DifferenceVerdict::noInterval) continue;
+    auto found = std::find_if(byReason.begin(), byReason.end(), [&](const auto& reason) {
+      return reason.first == difference.reason;
+    });
+    if (found == byReason.end()) found = byReason.insert(found, {difference.reason, {}});
+    appendOnce(found->second, difference.first);
+  }
+  std::vector<std::string> notes;
+  for (const auto& [reason, labels] : byReason) {
+    notes.push_back(
+        fmt::format("? No interval of the difference of {}: {}.", listText(labels), reason));
+  }
+  return notes;
 }
 
 }  // namespace gnomon::report

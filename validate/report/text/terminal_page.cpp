@@ -81,7 +81,7 @@ void TerminalPage::claims(const std::vector<study::ClaimRecord>& records) {
   blank();
   heading("Claims");
   for (const study::ClaimRecord& claim : records) {
-    const std::string verdict = fitLeft(verdictName(claim.verdict), margin - terminalIndent);
+    const std::string verdict = fitLeft(study::verdictName(claim.verdict), margin - terminalIndent);
     std::vector<std::string> lines = wrapText(claim.text, terminalWidth - margin);
     if (lines.empty()) lines.emplace_back();
     line(std::string(terminalIndent, ' ') + styled(verdict, verdictColour(claim.verdict)) +

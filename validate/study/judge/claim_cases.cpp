@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <set>
+#include <type_traits>
 #include <utility>
 
 #include "study/record/cases.h"
@@ -25,7 +26,12 @@ template <typename Record>
 Estimate estimateWith(const ClaimSpec& claim, double value, double uncertainty,
                       const std::optional<Record>& measured) {
   if (!hasIntervals(claim)) return withoutInterval(value, uncertainty);
-  return {value, measured ? measured->interval : std::nullopt, uncertainty};
+  if (!measured) return {value, std::nullopt, uncertainty};
+  Estimate estimate{value, measured->interval, uncertainty};
+  if constexpr (std::is_same_v<Record, DifferenceRecord>) {
+    estimate.areEqual = measured->verdict == DifferenceVerdict::equal;
+  }
+  return estimate;
 }
 
 ClaimCase valueCase(const ClaimSpec& claim, const StudyRecord& study, const ResultRecord& row,
@@ -100,8 +106,11 @@ Verdict judgeWithin(const Estimate& estimate, const Bounds& bounds) {
     if (!bound || verdict == Verdict::failed) return;
     const DifferenceVerdict side = distinguish(estimate, *bound);
     if (side == right) return;
-    verdict = side == DifferenceVerdict::notDistinguishable ? Verdict::notDistinguishable
-                                                            : Verdict::failed;
+    verdict = isDistinguishable(side)                         ? Verdict::failed
+              : verdict != Verdict::held                      ? verdict
+              : side == DifferenceVerdict::equal              ? Verdict::equal
+              : side == DifferenceVerdict::notDistinguishable ? Verdict::notDistinguishable
+                                                              : Verdict::noInterval;
   };
   judgeBound(bounds.above, DifferenceVerdict::worse);
   judgeBound(bounds.below, DifferenceVerdict::better);
@@ -120,6 +129,8 @@ ClaimSpread spreadOver(const ClaimSpec& claim, const StudyRecord& study,
     const Verdict verdict = judgeWithin(one.estimate, boundsOf(claim));
     spread.held += verdict == Verdict::held ? 1 : 0;
     spread.failed += verdict == Verdict::failed ? 1 : 0;
+    spread.equal += verdict == Verdict::equal ? 1 : 0;
+    spread.withoutInterval += verdict == Verdict::noInterval ? 1 : 0;
     views.insert(one.view);
     if (one.quantity) quantities.push_back(*one.quantity);
   }

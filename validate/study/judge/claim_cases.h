@@ -42,7 +42,8 @@ struct Bounds {
 Bounds boundsOf(const ClaimSpec& claim);
 
 /// Whether a figure lies within the bounds, by `distinguish`: failed where it is on the wrong side
-/// of one, held where it is on the right side of each.
+/// of one, held where it is on the right side of each; else what `distinguish` says of the first
+/// bound that leaves it open.
 Verdict judgeWithin(const Estimate& estimate, const Bounds& bounds);
 
 /// The verdicts on all cases, and on their mean where it has an interval.

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <numeric>
 
 #include "study/judge/claim_cases.h"
 #include "study/judge/gains.h"
@@ -11,10 +12,27 @@
 namespace gnomon::study {
 namespace {
 
+/// How many cases have each verdict, by its place in the enumeration.
+using VerdictCounts = std::array<std::size_t, 6>;
+
+/// A case without an interval leaves the whole open only where all others are held, or not judged:
+/// else it is not for want of an interval that the claim does not hold.
+Verdict verdictOver(const VerdictCounts& counts) {
+  const auto has = [&](Verdict verdict) { return counts.at(static_cast<std::size_t>(verdict)); };
+  const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+  if (has(Verdict::failed) > 0) return Verdict::failed;
+  if (has(Verdict::held) == all) return Verdict::held;
+  if (has(Verdict::equal) == all) return Verdict::equal;
+  if (has(Verdict::equal) + has(Verdict::notDistinguishable) > 0) {
+    return Verdict::notDistinguishable;
+  }
+  return has(Verdict::noInterval) > 0 ? Verdict::noInterval : Verdict::notEvaluated;
+}
+
 Verdict verdictOver(const ClaimSpread& spread) {
-  if (spread.failed > 0) return Verdict::failed;
-  if (spread.together) return *spread.together;
-  return spread.held == spread.cases ? Verdict::held : Verdict::notDistinguishable;
+  if (spread.failed == 0 && spread.together) return *spread.together;
+  return verdictOver(VerdictCounts{spread.held, spread.failed, spread.equal,
+                                   spread.notDistinguishable(), spread.withoutInterval, 0});
 }
 
 /// "below 0.05", "between 0.95 and 1.05".
@@ -58,27 +76,21 @@ std::vector<std::string> methodsOf(const ClaimSpec& claim) {
 
 /// A claim that each step has judged for itself.
 ClaimRecord judgeOverSteps(const ClaimSpec& claim, const SweepRecord& sweep, std::size_t index) {
-  std::array<std::vector<std::size_t>, 4> cases;  // a verdict
+  std::array<std::vector<std::size_t>, VerdictCounts{}.size()> cases;  // a verdict
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     const Verdict verdict = sweep.steps[i].claims.at(index).verdict;
     cases.at(static_cast<std::size_t>(verdict)).push_back(i);
   }
-  const auto at = [&](Verdict verdict) { return cases.at(static_cast<std::size_t>(verdict)); };
   std::string detail;
-  const auto tell = [&](const char* name, Verdict verdict) {
-    if (at(verdict).empty()) return;
-    detail +=
-        fmt::format("{}{} at {}", detail.empty() ? "" : "; ", name, sweep.casesText(at(verdict)));
-  };
-  tell("held", Verdict::held);
-  tell("failed", Verdict::failed);
-  tell("not distinguishable", Verdict::notDistinguishable);
-  tell("not evaluated", Verdict::notEvaluated);
-  const Verdict verdict = !at(Verdict::failed).empty()                     ? Verdict::failed
-                          : at(Verdict::held).size() == sweep.steps.size() ? Verdict::held
-                          : !at(Verdict::notDistinguishable).empty() ? Verdict::notDistinguishable
-                                                                     : Verdict::notEvaluated;
-  return {claim.text, claim.source, verdict, fmt::format("{}: {}", keysText(sweep.keys), detail)};
+  VerdictCounts counts{};
+  for (std::size_t v = 0; v < counts.size(); ++v) {
+    counts.at(v) = cases.at(v).size();
+    if (cases.at(v).empty()) continue;
+    detail += fmt::format("{}{} at {}", detail.empty() ? "" : "; ",
+                          verdictName(static_cast<Verdict>(v)), sweep.casesText(cases.at(v)));
+  }
+  return {claim.text, claim.source, verdictOver(counts),
+          fmt::format("{}: {}", keysText(sweep.keys), detail)};
 }
 
 }  // namespace

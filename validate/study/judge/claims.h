@@ -19,6 +19,8 @@ namespace gnomon::study {
 ///   held                 it fails in none, and holds for the mean over all of them together, by
 ///                        the interval of that mean; without intervals: it holds in every case
 ///   failed               it fails in at least one case, or for that mean
+///   equal                both methods give the same answers in every case
+///   no interval          too little is known in some cases, and it holds in all others
 ///   not distinguishable  anything between
 ///   not evaluated        no case has a value
 /// The mean is that over all lights together of each view (differenceOverViews), and has a narrower
@@ -26,8 +28,8 @@ namespace gnomon::study {
 /// report also says in how many cases it holds alone.
 ///
 /// *With an interval or without.* Only the error rate over all samples has intervals: of the value,
-/// and of the paired difference of two methods. Where such an interval was refused, the case is not
-/// distinguishable. Claims about regions and other metrics are judged by the truth's uncertainty
+/// and of the paired difference of two methods. Where such an interval was refused, nothing is
+/// known of the case. Claims about regions and other metrics are judged by the truth's uncertainty
 /// alone (withoutInterval), and their detail says so. That uncertainty is the share of samples that
 /// flip at half its resolution; in a region, as if all of them lay in it, so that it is never too
 /// small; of a boundary metric or a length ratio, `metricUncertainty`: by how much the coarser
@@ -47,9 +49,9 @@ std::vector<ClaimRecord> judgeClaims(const std::vector<ClaimSpec>& claims,
 /// Judges the claims of a sweep over all its steps, whose own verdicts are known.
 ///
 /// With `gainGrows` the mean of (than - less) over lights and views at the last value is compared
-/// with that at the first, as with `gainExceeds`. Any other claim failed
-/// if it failed at some value, held if it held at every one, and is otherwise not distinguishable,
-/// or not evaluated where no step says more than that; its detail names the values of each verdict.
+/// with that at the first, as with `gainExceeds`. Any other claim has
+/// the verdict over its values that a study's has over its cases, or is not evaluated where no step
+/// says more than that; its detail names the values of each verdict.
 std::vector<ClaimRecord> judgeSweepClaims(const std::vector<ClaimSpec>& claims,
                                           const SweepRecord& sweep);
 

@@ -32,27 +32,42 @@ DifferenceVerdict opposite(DifferenceVerdict verdict) {
       return DifferenceVerdict::worse;
     case DifferenceVerdict::worse:
       return DifferenceVerdict::better;
-    case DifferenceVerdict::notDistinguishable:
-      break;
+    default:
+      return verdict;
   }
-  return verdict;
 }
 
 DifferenceVerdict distinguish(const Estimate& estimate, double number) {
+  using enum DifferenceVerdict;
   const double distance = estimate.value - number;
-  if (!estimate.interval || estimate.interval->holds(number) ||
-      !(std::abs(distance) > estimate.uncertainty)) {
-    return DifferenceVerdict::notDistinguishable;
-  }
-  return distance < 0 ? DifferenceVerdict::better : DifferenceVerdict::worse;
+  if (estimate.areEqual && number == 0) return equal;
+  if (!(std::abs(distance) > estimate.uncertainty)) return notDistinguishable;
+  if (!estimate.interval) return noInterval;
+  if (estimate.interval->holds(number)) return notDistinguishable;
+  return distance < 0 ? better : worse;
+}
+
+bool isDistinguishable(DifferenceVerdict verdict) {
+  return verdict == DifferenceVerdict::better || verdict == DifferenceVerdict::worse;
 }
 
 bool isDistinguishable(const Estimate& estimate, double number) {
-  return distinguish(estimate, number) != DifferenceVerdict::notDistinguishable;
+  return isDistinguishable(distinguish(estimate, number));
+}
+
+void LikeMethods::add(const std::string& label, DifferenceVerdict verdict) {
+  if (verdict == DifferenceVerdict::equal) equal.push_back(label);
+  if (verdict == DifferenceVerdict::notDistinguishable) close.push_back(label);
+  if (verdict == DifferenceVerdict::noInterval) withoutInterval.push_back(label);
 }
 
 Estimate estimateOf(const DifferenceRecord& difference) {
-  return {difference.difference, difference.interval, difference.uncertainty};
+  return {difference.difference, difference.interval, difference.uncertainty,
+          difference.verdict == DifferenceVerdict::equal};
+}
+
+bool isKnown(const DifferenceRecord& difference) {
+  return difference.interval || difference.verdict == DifferenceVerdict::equal;
 }
 
 DifferenceRecord swapped(DifferenceRecord difference) {
@@ -114,22 +129,28 @@ std::optional<compare::Interval> meanInterval(const StudyRecord& record, std::st
 
 DifferenceRecord meanDifference(const std::vector<DifferenceRecord>& all) {
   const auto count = static_cast<double>(all.size());
-  DifferenceRecord mean = all.front();
-  compare::Interval ends;
-  mean.difference = 0;
-  mean.uncertainty = 0;
+  const auto unknown = std::find_if_not(all.begin(), all.end(), isKnown);
+  Estimate estimate{0, compare::Interval{}, 0, true};
   for (const DifferenceRecord& one : all) {
-    mean.difference += one.difference / count;
-    mean.uncertainty += one.uncertainty / count;
-    if (!one.interval) {
-      mean.interval.reset();
-      mean.reason = one.reason;
-      continue;
-    }
-    ends = {ends.low + one.interval->low / count, ends.high + one.interval->high / count};
+    const bool isEqual = one.verdict == DifferenceVerdict::equal;
+    const compare::Interval ends =
+        isEqual ? compare::Interval{} : one.interval.value_or(compare::Interval{-1, 1});
+    estimate.value += one.difference / count;
+    estimate.uncertainty += one.uncertainty / count;
+    estimate.interval->low += ends.low / count;
+    estimate.interval->high += ends.high / count;
+    estimate.areEqual = estimate.areEqual && isEqual;
   }
-  if (mean.interval) mean.interval = ends;
-  mean.verdict = distinguish(estimateOf(mean));
+  DifferenceRecord mean = all.front();
+  if (!estimate.areEqual) mean.reason.clear();
+  if (unknown != all.end() && !isDistinguishable(estimate)) {
+    estimate.interval.reset();
+    mean.reason = unknown->reason;
+  }
+  mean.difference = estimate.value;
+  mean.interval = estimate.areEqual ? std::nullopt : estimate.interval;
+  mean.uncertainty = estimate.uncertainty;
+  mean.verdict = distinguish(estimate);
   return mean;
 }
 

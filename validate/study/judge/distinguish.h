@@ -10,8 +10,8 @@
 
 namespace gnomon::study {
 
-/// The only rule for whether two figures differ. Verdicts, the mark ≈ in all tables, LaTeX,
-/// rankings, error budgets and claims use it.
+/// The only rule for whether two figures differ. Verdicts, the signs in all tables, LaTeX,
+/// rankings, statistics over scenes, error budgets and claims use it.
 
 /// A figure, or a difference of two figures, with its uncertainty.
 struct Estimate {
@@ -20,25 +20,39 @@ struct Estimate {
   /// (judge/suite) that over the scenes, as wide as Holm's correction asks of the comparison.
   std::optional<compare::Interval> interval;
   double uncertainty = 0;  ///< of the truth, in the figure's unit
+  bool areEqual = false;   ///< a difference of two methods that answer alike, to the sample
 };
 
 /// Of a metric that has no intervals (all but the error rate of all samples): only the truth's
 /// uncertainty counts.
 Estimate withoutInterval(double value, double uncertainty);
 
-/// How a figure compares with a number. They are not distinguishable where there is no interval,
-/// where the interval holds the number, or where they are no further apart than the truth's
-/// uncertainty; otherwise the smaller one is better. Of a difference of two figures, compared with
-/// 0, the verdict is that on the first.
+/// How a figure compares with a number. In this order: the difference of methods that answer alike
+/// is `equal` to 0; a figure is not distinguishable from a number that is no further away than the
+/// truth's uncertainty; without an interval nothing can be said; the two are not distinguishable
+/// where the interval holds the number; otherwise the smaller one is better. Of a difference of two
+/// figures, compared with 0, the verdict is that on the first.
 DifferenceVerdict distinguish(const Estimate& estimate, double number = 0);
 
 /// The verdict on the second of two methods.
 DifferenceVerdict opposite(DifferenceVerdict verdict);
 
 /// Whether the verdict is better or worse.
+bool isDistinguishable(DifferenceVerdict verdict);
 bool isDistinguishable(const Estimate& estimate, double number = 0);
 
+/// Labels of the methods that one is not known to differ from, by the verdict on the difference.
+struct LikeMethods {
+  std::vector<std::string> equal, close, withoutInterval;
+
+  /// Nothing for a method that is better or worse.
+  void add(const std::string& label, DifferenceVerdict verdict);
+};
+
 Estimate estimateOf(const DifferenceRecord& difference);
+
+/// Whether it has an interval, or is 0 as both methods answer alike.
+bool isKnown(const DifferenceRecord& difference);
 
 /// The same difference with the two methods exchanged.
 DifferenceRecord swapped(DifferenceRecord difference);
@@ -67,8 +81,9 @@ std::optional<compare::Interval> meanInterval(const StudyRecord& record, std::st
                                               const std::set<std::string>& views);
 
 /// The mean of differences of the same two methods: of their differences, of their intervals' ends
-/// (as if all errors were fully correlated, so never too narrow) and of the truth's uncertainties;
-/// without an interval where one of them has none.
+/// (as if all errors were fully correlated, so never too narrow) and of the truth's uncertainties.
+/// Equal ones have the interval 0 to 0. One without an interval may be anything from -1 to 1: where
+/// the mean is better or worse all the same, it has that interval, else none, and the first reason.
 /// @param all  one or more
 DifferenceRecord meanDifference(const std::vector<DifferenceRecord>& all);
 

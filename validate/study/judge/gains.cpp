@@ -47,7 +47,11 @@ std::optional<Estimate> gainOf(const ClaimSpec& claim,
   }
   if (cases.empty()) return std::nullopt;
   Estimate gain{meanValue(cases), std::nullopt};
-  if (differences.size() == records.size()) gain.interval = meanDifference(differences).interval;
+  if (differences.size() == records.size()) {
+    const DifferenceRecord mean = meanDifference(differences);
+    gain.areEqual = mean.verdict == DifferenceVerdict::equal;
+    gain.interval = gain.areEqual ? compare::Interval{} : mean.interval;
+  }
   for (const ClaimCase& one : cases) {
     gain.uncertainty = std::max(gain.uncertainty, one.estimate.uncertainty);
   }
@@ -56,7 +60,8 @@ std::optional<Estimate> gainOf(const ClaimSpec& claim,
 
 Estimate gainDifference(const Estimate& first, const Estimate& second) {
   const double difference = first.value - second.value;
-  Estimate estimate{difference, std::nullopt, first.uncertainty + second.uncertainty};
+  Estimate estimate{difference, std::nullopt, first.uncertainty + second.uncertainty,
+                    first.areEqual && second.areEqual};
   if (first.interval && second.interval) {
     estimate.interval =
         compare::Interval{difference - std::hypot(first.value - first.interval->low,

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "compare/rates.h"
-#include "study/judge/distinguish.h"
 
 namespace gnomon::study {
 namespace {
@@ -30,7 +29,6 @@ RankedMethod summarise(const StudyRecord& record, const RankedOverStudies& place
           meanOver(rows, "ber"),
           meanInterval(record, place.label, views),
           meanOver(rankedRows(record, place.label, Answer::test), "error_rate"),
-          {},
           {}};
 }
 
@@ -44,10 +42,7 @@ std::vector<RankedMethod> rankMethods(const StudyRecord& record) {
     ranked.push_back(summarise(record, place));
     for (const RankedOverStudies& other : places) {
       const auto difference = differenceIn(study, place.label, other.label);
-      if (difference && difference->verdict == DifferenceVerdict::notDistinguishable) {
-        ranked.back().indistinguishable.push_back(other.label);
-        if (!difference->interval) ranked.back().withoutInterval.push_back(other.label);
-      }
+      if (difference) ranked.back().like.add(other.label, difference->verdict);
     }
   }
   return ranked;

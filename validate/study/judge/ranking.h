@@ -26,10 +26,8 @@ struct RankedMethod : RankedOverStudies {
   /// together. Exact for one view; for several as if their errors were fully correlated, so never
   /// too narrow. None where a view has none.
   std::optional<compare::Interval> interval;
-  Mean testError;  ///< error rate of the shadow test alone
-  /// Labels that it is not distinguishable from, by differenceOverViews.
-  std::vector<std::string> indistinguishable;
-  std::vector<std::string> withoutInterval;  ///< those of them whose difference has no interval
+  Mean testError;    ///< error rate of the shadow test alone
+  LikeMethods like;  ///< of the study's methods, by differenceOverViews
 };
 
 /// The methods in the order of rankOverStudies over this study alone.

@@ -61,7 +61,7 @@ std::vector<DifferenceRecord> meanDifferences(std::span<const StudyMeans> steps,
       for (const StudyMeans& step : steps) {
         auto difference = differenceIn(step, labels[first], labels[second]);
         if (!difference) continue;
-        if (!difference->interval) {
+        if (!isKnown(*difference)) {
           difference->reason = fmt::format("at {}: {}", stepValue(step.name), difference->reason);
         }
         found.push_back(std::move(*difference));

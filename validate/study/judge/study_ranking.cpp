@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "common/lists.h"
-#include "study/judge/distinguish.h"
 
 namespace gnomon::study {
 namespace {
@@ -51,31 +51,26 @@ std::optional<double> meanWhere(std::span<const StudyMeans> studies, const std::
   return meanOf(means);
 }
 
-/// Says why a method is not distinguishable from the best, where it is not.
-void setClose(RankedOverStudies& method, const std::string& best,
-              std::span<const StudyMeans> studies) {
+/// The mean difference of a method to the best; none where a study has no difference.
+std::optional<DifferenceRecord> differenceToBest(const std::string& method, const std::string& best,
+                                                 std::span<const StudyMeans> studies) {
   std::vector<DifferenceRecord> found;
-  std::vector<std::string> without;
   for (const StudyMeans& study : studies) {
-    const auto difference = differenceIn(study, method.label, best);
-    if (!difference) return;
-    found.push_back(*difference);
-    if (!difference->interval) without.push_back(study.name);
+    auto difference = differenceIn(study, method, best);
+    if (!difference) return std::nullopt;
+    if (studies.size() > 1 && !isKnown(*difference)) {
+      difference->reason = fmt::format("on {}: {}", study.name, difference->reason);
+    }
+    found.push_back(std::move(*difference));
   }
-  const Estimate mean = estimateOf(meanDifference(found));
-  if (isDistinguishable(mean)) return;
-  method.hasNoInterval = !mean.interval;
-  method.closeToBest =
-      !mean.interval ? fmt::format("no interval of the difference on {}", fmt::join(without, ", "))
-      : mean.interval->holds(0) ? "the interval of the difference holds 0"
-                                : "the difference is within the truth's uncertainty";
+  return meanDifference(found);
 }
 
 /// Says how a method compares with the first of a ranking.
 void compareWithBest(RankedOverStudies& method, const RankedOverStudies& best,
                      std::span<const StudyMeans> studies) {
   if (method.rank) {
-    if (*method.rank > 1) setClose(method, best.label, studies);
+    if (*method.rank > 1) method.toBest = differenceToBest(method.label, best.label, studies);
   } else if (best.rank) {
     method.leaderError = meanWhere(studies, best.label, method.label);
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "study/judge/distinguish.h"
 #include "study/judge/study_means.h"
 
 namespace gnomon::study {
@@ -25,12 +26,10 @@ struct RankedOverStudies {
   /// Without a rank: the mean error rate of the method of rank 1 over the same cases, which its own
   /// may be compared with.
   std::optional<double> leaderError;
-  /// Why it is not distinguishable from rank 1, by the mean of their differences over all studies
-  /// with the mean of the intervals' ends: "no interval of the difference on bumps, dunes" (why is
-  /// said by those studies), "the interval of the difference holds 0". None where it is, or where a
-  /// study has no difference.
-  std::optional<std::string> closeToBest;
-  bool hasNoInterval = false;  ///< whether that is for want of an interval
+  /// Its difference to the method of rank 1: meanDifference over all studies, whose reason names
+  /// the first study without an interval. None for rank 1 itself, for a method without a rank, and
+  /// where a study has no difference.
+  std::optional<DifferenceRecord> toBest;
 };
 
 /// The rule of all rankings, of a study and over the studies of a run, in every format. A case is

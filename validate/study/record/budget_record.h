@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/confidence_interval.h"
+#include "study/record/confidence_record.h"
 
 namespace gnomon::study {
 
@@ -15,8 +15,8 @@ struct BudgetShare {
   double value = 0;
   std::optional<compare::Interval> interval;  ///< 95 %; none where the view is too small to tell
   std::string reason;                         ///< why there is none; empty if there is one
-  /// From none, by `distinguish`.
-  bool distinguishable = false;
+  /// How the share compares with none, by `distinguish`.
+  DifferenceVerdict verdict = DifferenceVerdict::noInterval;
 };
 
 /// By how much a method's error falls when one cause is corrected.

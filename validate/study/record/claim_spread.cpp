@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/error.h"
 #include "common/quantile.h"
 
 namespace gnomon::study {
@@ -22,13 +23,32 @@ std::string quartilesText(const ClaimSpread& spread) {
 /// "holds for all lights together; ", where that was judged.
 std::string togetherText(const ClaimSpread& spread, const char* unit) {
   if (!spread.together) return "";
-  const char* verdict = *spread.together == Verdict::held     ? "holds"
-                        : *spread.together == Verdict::failed ? "fails"
-                                                              : "not distinguishable";
+  const std::string_view verdict = *spread.together == Verdict::held ? "holds"
+                                   : *spread.together == Verdict::failed
+                                       ? "fails"
+                                       : verdictName(*spread.together);
   return fmt::format("{} for all {}s together; ", verdict, unit);
 }
 
 }  // namespace
+
+std::string_view verdictName(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::held:
+      return "held";
+    case Verdict::failed:
+      return "failed";
+    case Verdict::equal:
+      return "equal";
+    case Verdict::notDistinguishable:
+      return "not distinguishable";
+    case Verdict::noInterval:
+      return "no interval";
+    case Verdict::notEvaluated:
+      return "not evaluated";
+  }
+  throw InternalError("verdict: not one of its six values");
+}
 
 std::optional<Quartiles> quartilesOf(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
@@ -41,9 +61,13 @@ std::string spreadText(const ClaimSpread& spread) {
   const bool ofLights = spread.views == 1;
   const char* where = ofLights ? "under" : "in";
   const char* unit = ofLights ? "light" : "case";
-  return fmt::format("{}holds {} {} of {} {}{}, fails {} {}{}", togetherText(spread, unit), where,
-                     spread.held, spread.cases, unit, spread.cases == 1 ? "" : "s", where,
-                     spread.failed, quartilesText(spread));
+  const auto some = [&](Verdict verdict, std::size_t count) {
+    return count == 0 ? "" : fmt::format(", {} {} {}", verdictName(verdict), where, count);
+  };
+  return fmt::format("{}holds {} {} of {} {}{}, fails {} {}{}{}{}", togetherText(spread, unit),
+                     where, spread.held, spread.cases, unit, spread.cases == 1 ? "" : "s", where,
+                     spread.failed, some(Verdict::equal, spread.equal),
+                     some(Verdict::noInterval, spread.withoutInterval), quartilesText(spread));
 }
 
 }  // namespace gnomon::study

@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gnomon::study {
 
-enum class Verdict { held, failed, notDistinguishable, notEvaluated };
+/// On a claim. `equal` and `noInterval` as in DifferenceVerdict.
+enum class Verdict { held, failed, equal, notDistinguishable, noInterval, notEvaluated };
 
 /// The least, the greatest and the quartiles between them.
 struct Quartiles {
@@ -34,13 +36,22 @@ struct ClaimSpread {
   bool hasIntervals = false;  ///< false: judged by the truth's uncertainty alone, see judgeClaims
   /// Of the mean over all cases, by its own interval; none without intervals, or of one case.
   std::optional<Verdict> together = std::nullopt;
+  std::size_t equal = 0;            ///< cases in which both methods give the same answers
+  std::size_t withoutInterval = 0;  ///< cases in which too little is known
 
-  /// Neither held nor failed.
-  [[nodiscard]] std::size_t notDistinguishable() const { return cases - held - failed; }
+  /// The cases with none of these.
+  [[nodiscard]] std::size_t notDistinguishable() const {
+    return cases - held - failed - equal - withoutInterval;
+  }
 };
 
-/// "holds for all lights together; holds under 25 of 27 lights, fails under 1; ratio 0.48 (0.30 to
-/// 0.90, quartiles 0.41 and 0.60)": the median, then the least and the greatest where there are
+/// "held", "failed", "equal", "not distinguishable", "no interval" or "not evaluated": the same in
+/// every kind of report.
+std::string_view verdictName(Verdict verdict);
+
+/// "holds for all lights together; holds under 25 of 27 lights, fails under 1, equal under 1, no
+/// interval under 1; ratio 0.48 (0.30 to 0.90, quartiles 0.41 and 0.60)": what is true of no case
+/// is left out, save for "fails"; the median, then the least and the greatest where there are
 /// several cases, and the quartiles from four cases on. Over several views "for all cases together;
 /// holds in 25 of 54".
 std::string spreadText(const ClaimSpread& spread);

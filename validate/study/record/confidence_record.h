@@ -37,7 +37,13 @@ struct RadiusCheck {
 };
 
 /// How the first of two methods compares with the second.
-enum class DifferenceVerdict { better, worse, notDistinguishable };
+enum class DifferenceVerdict {
+  better,
+  worse,
+  equal,               ///< both give the same answers, to the sample
+  notDistinguishable,  ///< by the interval of the difference, or within the truth's uncertainty
+  noInterval,          ///< too little is known to say any of these
+};
 
 /// Two methods of one view, paired block by block: under one light, or all lights together ("all").
 /// Every view has the row "all"; a study with several lights has one for each of them as well. The
@@ -53,7 +59,7 @@ struct DifferenceRecord {
   std::string reason;                         ///< why there is none; empty if there is one
   double uncertainty = 0;                     ///< of the truth in this view, mean over these lights
   /// By `distinguish`.
-  DifferenceVerdict verdict = DifferenceVerdict::notDistinguishable;
+  DifferenceVerdict verdict = DifferenceVerdict::noInterval;
   std::optional<RadiusCheck<DifferenceVerdict>> radius = std::nullopt;  ///< if it was varied
 };
 

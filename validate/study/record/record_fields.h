@@ -228,8 +228,10 @@ void fields(Stream& stream, T& quartiles) {
 
 template <typename Stream, SameAs<study::ClaimSpread> T>
 void fields(Stream& stream, T& spread) {
-  auto& [cases, held, failed, views, quantity, quartiles, hasIntervals, together] = spread;
-  stream(cases, held, failed, views, quantity, quartiles, hasIntervals, together);
+  auto& [cases, held, failed, views, quantity, quartiles, hasIntervals, together, equal,
+         withoutInterval] = spread;
+  stream(cases, held, failed, views, quantity, quartiles, hasIntervals, together, equal,
+         withoutInterval);
 }
 
 template <typename Stream, SameAs<study::ClaimRecord> T>
@@ -240,8 +242,8 @@ void fields(Stream& stream, T& claim) {
 
 template <typename Stream, SameAs<study::BudgetShare> T>
 void fields(Stream& stream, T& share) {
-  auto& [value, interval, reason, distinguishable] = share;
-  stream(value, interval, reason, distinguishable);
+  auto& [value, interval, reason, verdict] = share;
+  stream(value, interval, reason, verdict);
 }
 
 template <typename Stream, SameAs<study::BudgetCause> T>

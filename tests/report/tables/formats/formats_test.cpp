@@ -63,6 +63,17 @@ TEST(TerminalFormat, AlignsTextsAndFigures) {
                           "  –  影の長さ  <0.01*                –", "     in 1 of 2 cases"));
 }
 
+TEST(TableFormats, PrintNotesBelowTheTable) {
+  Table table = sample();
+  table.notes = {"? No <interval>: too few."};
+  EXPECT_TRUE(terminalTable(table).ends_with("\n  ? No <interval>: too few.\n"));
+  EXPECT_TRUE(markdownTable(table).ends_with("- ? No \\<interval\\>: too few.\n"));
+  EXPECT_TRUE(htmlTable(table).text().ends_with(
+      "</table></div>\n<p class=\"note\">? No &lt;interval&gt;: too few.</p>\n"));
+  EXPECT_THAT(latexTabular(table), HasSubstr("\n% ? No <interval>: too few.\n"));
+  EXPECT_EQ(csvTable(table), csvTable(sample())) << "for people alone";
+}
+
 TEST(TerminalFormat, TagsHaveColoursWhereTheyAreWanted) {
   Table table{.kind = "sample", .columns = {{"Verdict"}}};
   table.rows = {{{textCell("fail")}}};

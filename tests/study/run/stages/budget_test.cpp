@@ -7,6 +7,7 @@
 #include <random>
 
 #include "common/error.h"
+#include "study/judge/distinguish.h"
 
 namespace gnomon::study {
 namespace {
@@ -160,15 +161,15 @@ TEST(Budget, TellsWhatCannotBeToldFromNone) {
   };
   const BudgetRecord sure = first(0.001);
   EXPECT_NEAR(sure.causes[0].forward.value, 0.1, 1e-15);
-  EXPECT_TRUE(sure.causes[0].forward.distinguishable);
-  EXPECT_TRUE(sure.causes[1].forward.distinguishable);
+  EXPECT_TRUE(isDistinguishable(sure.causes[0].forward.verdict));
+  EXPECT_TRUE(isDistinguishable(sure.causes[1].forward.verdict));
   // The same share where the truth is no surer than that.
-  EXPECT_FALSE(first(0.101).causes[0].forward.distinguishable);
-  EXPECT_TRUE(first(0.101).causes[1].forward.distinguishable);
+  EXPECT_FALSE(isDistinguishable(first(0.101).causes[0].forward.verdict));
+  EXPECT_TRUE(isDistinguishable(first(0.101).causes[1].forward.verdict));
   // In the other order nothing is left for it, and no interval.
   EXPECT_EQ(sure.causes[0].backward.value, 0);
-  EXPECT_FALSE(sure.causes[0].backward.distinguishable);
-  EXPECT_FALSE(restNamed(sure, "distant").distinguishable);
+  EXPECT_FALSE(isDistinguishable(sure.causes[0].backward.verdict));
+  EXPECT_FALSE(isDistinguishable(restNamed(sure, "distant").verdict));
 }
 
 /// A large share that one place alone has is not sure: another draw of the bumps may lack it.
@@ -184,10 +185,9 @@ TEST(Budget, OnePlaceIsNoEvidence) {
       attributeError(ladderOf({"a"}), {"atlas", "noon", 0, tiling}, {errorsOf(truth, mask), none},
                      {errorsOf(truth, mask), none});
   EXPECT_DOUBLE_EQ(budget.causes[0].forward.value, 0.04);
-  EXPECT_FALSE(budget.causes[0].forward.interval);
-  EXPECT_EQ(budget.causes[0].forward.reason,
-            "a few blocks of the view hold nearly all of the difference");
-  EXPECT_FALSE(budget.causes[0].forward.distinguishable);
+  ASSERT_TRUE(budget.causes[0].forward.interval);
+  EXPECT_TRUE(budget.causes[0].forward.interval->holds(0));
+  EXPECT_FALSE(isDistinguishable(budget.causes[0].forward.verdict));
 }
 
 TEST(Budget, RefusesStatesThatDoNotFitTheCauses) {

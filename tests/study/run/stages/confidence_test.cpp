@@ -107,6 +107,24 @@ TEST(DifferencesOf, OneLightIsAllOfThem) {
   for (const DifferenceRecord& record : records) EXPECT_EQ(record.light, "all");
 }
 
+/// Three variants that answer alike are equal to each other, and differ alike from any other.
+TEST(DifferencesOf, TellsEqualAnswersAsSuch) {
+  ViewErrors errors = someErrors();
+  errors.methods[2].lights = errors.methods[1].lights;
+  for (const DifferenceRecord& record : differencesOf(errors, {0, 0})) {
+    const bool isPair = record.first == "fine";
+    EXPECT_EQ(record.verdict, isPair ? DifferenceVerdict::equal : DifferenceVerdict::worse);
+    EXPECT_EQ(record.interval.has_value(), !isPair);
+    EXPECT_EQ(record.reason, isPair ? "both give the same answers" : "");
+  }
+  // Under one of the lights they answer differently.
+  errors.methods[2].lights[0] = someErrors().methods[2].lights[0];
+  const std::vector<DifferenceRecord> records = differencesOf(errors, {0, 0});
+  EXPECT_NE(records[2].verdict, DifferenceVerdict::equal) << records[2].light;
+  EXPECT_EQ(records[8].light, "evening");
+  EXPECT_EQ(records[8].verdict, DifferenceVerdict::equal);
+}
+
 TEST(DifferencesOf, WithinTheTruthsUncertaintySaysNothing) {
   const std::vector<DifferenceRecord> sure = differencesOf(someErrors(), {0.1, 0.1});
   EXPECT_EQ(sure[0].verdict, DifferenceVerdict::worse);

@@ -88,11 +88,15 @@ Html htmlTable(const Table& table) {
     }
     body += html("<tr>{}</tr>\n", cells);
   }
+  Html notes;
+  for (const std::string& note : table.notes) {
+    notes += html("<p class=\"note\">{}</p>\n", note);
+  }
   return html(
       "<div class=\"scroll\"><table "
       "class=\"{}\">\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>\n"
-      "</table></div>\n",
-      table.kind, head, body);
+      "</table></div>\n{}",
+      table.kind, head, body, notes);
 }
 
 }  // namespace gnomon::report

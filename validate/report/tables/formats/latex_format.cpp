@@ -190,6 +190,7 @@ std::string comments(const Table& table) {
   for (const Row& row : table.rows) {
     if (!row.remark.empty()) text += comment(nameOf(table, row) + ": " + row.remark);
   }
+  for (const std::string& note : table.notes) text += comment(note);
   return text;
 }
 

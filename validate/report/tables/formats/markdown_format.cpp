@@ -59,6 +59,7 @@ std::string markdownTable(const Table& table) {
     appendLine([&](std::size_t i) { return markdownCell(table.columns[i], row, row.cells[i]); });
     if (!row.remark.empty()) remarks += remarkLine(table, row);
   }
+  for (const std::string& note : table.notes) remarks += "- " + escapeMarkdown(note) + "\n";
   return remarks.empty() ? text : text + "\n" + remarks;
 }
 

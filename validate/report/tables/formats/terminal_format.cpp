@@ -192,6 +192,7 @@ void appendTable(TerminalPage& page, const Table& table) {
     if (i > 0) page.blank();
     appendBlock(page, table, blocks[i]);
   }
+  for (const std::string& note : table.notes) page.paragraph(note, terminalIndent);
 }
 
 std::string terminalTable(const Table& table) {

@@ -133,9 +133,19 @@ void compareAll(const compare::SceneTable& table, std::vector<Comparison>& compa
   }
 }
 
+/// Whether two methods answer alike on all of these scenes.
+bool answerAlike(const Scenes& scenes, const Comparison& comparison) {
+  return comparison.pair.difference == 0 &&
+         std::all_of(comparison.scenes.begin(), comparison.scenes.end(), [&](std::size_t s) {
+           const auto difference =
+               differenceIn(*scenes[s], comparison.pair.first, comparison.pair.second);
+           return difference && difference->verdict == DifferenceVerdict::equal;
+         });
+}
+
 /// Holm's correction over all pairs that have an interval, and the verdicts.
 /// @returns how many these are
-std::size_t judge(std::vector<Comparison>& comparisons) {
+std::size_t judge(const Scenes& scenes, std::vector<Comparison>& comparisons) {
   std::vector<Comparison*> family;
   std::vector<double> probabilities;
   for (Comparison& comparison : comparisons) {
@@ -148,7 +158,13 @@ std::size_t judge(std::vector<Comparison>& comparisons) {
     SuitePair& pair = family[i]->pair;
     pair.adjusted = steps[i].adjusted;
     pair.corrected = family[i]->mean->interval(steps[i].allowed);
-    pair.verdict = distinguish({pair.difference, pair.corrected, pair.uncertainty});
+  }
+  for (Comparison& comparison : comparisons) {
+    SuitePair& pair = comparison.pair;
+    const auto interval =
+        pair.interval ? pair.corrected.value_or(compare::Interval{-1, 1}) : pair.interval;
+    pair.verdict =
+        distinguish({pair.difference, interval, pair.uncertainty, answerAlike(scenes, comparison)});
   }
   return family.size();
 }
@@ -343,7 +359,7 @@ SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyM
   });
   std::vector<Comparison> comparisons = comparisonsOf(statistics.table, statistics.methods);
   compareAll(statistics.table, comparisons);
-  statistics.comparisons = judge(comparisons);
+  statistics.comparisons = judge(scenes, comparisons);
   for (Comparison& comparison : comparisons) statistics.pairs.push_back(std::move(comparison.pair));
   statistics.bins = binsOf(scenes, statistics.methods);
   statistics.scenes = hardestFirst(statistics.table, scenes, statistics.methods);

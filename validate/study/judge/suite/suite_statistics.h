@@ -43,9 +43,11 @@ struct SuitePair {
   double uncertainty = 0;                     ///< of the truth, mean over these scenes
   double probability = 1;                     ///< p of no difference
   double adjusted = 1;                        ///< p by Holm over all pairs of the suite
-  /// The difference with the error that Holm allows this pair; `verdict` is `distinguish` of it.
+  /// The difference with the error that Holm allows this pair; `verdict` is `distinguish` of it, or
+  /// of -1 to 1 where so small an error leaves everything open. Equal are methods that answer alike
+  /// on each of these scenes.
   std::optional<compare::Interval> corrected;
-  DifferenceVerdict verdict = DifferenceVerdict::notDistinguishable;
+  DifferenceVerdict verdict = DifferenceVerdict::noInterval;
 };
 
 /// A method's error in one bin of an axis, over all scenes.

@@ -103,7 +103,7 @@ void fields(Stream& stream, T& bake) {
 
 template <typename Stream, SameAs<compare::BlockErrors> T>
 void fields(Stream& stream, T& errors) {
-  stream(errors.wrong, errors.weight);
+  stream(errors.wrong, errors.weight, errors.answers);
 }
 
 template <typename Stream, SameAs<study::AnswerOutcome> T>

@@ -16,7 +16,7 @@ namespace {
 BudgetShare shareOf(double value, const compare::ConfidenceInterval& confidence,
                     double uncertainty) {
   return {value, confidence.interval, std::string(confidence.reason),
-          isDistinguishable({value, confidence.interval, uncertainty})};
+          distinguish({value, confidence.interval, uncertainty, confidence.areEqual})};
 }
 
 /// A part of the error that is left.

@@ -53,7 +53,8 @@ DifferenceRecord differenceRecord(const ViewErrors& errors, const LightErrors& l
   record.interval = confidence.interval;
   record.reason = confidence.reason;
   record.uncertainty = light.uncertainty;
-  record.verdict = distinguish(estimateOf(record));
+  record.verdict =
+      distinguish({record.difference, record.interval, record.uncertainty, confidence.areEqual});
   return record;
 }
 
