@@ -3,6 +3,7 @@
 
 #include <gnomon/compare.h>
 #include <gnomon/horizon.h>
+#include <gnomon/stop_switch.h>
 #include <gnomon/study.h>
 #include <gnomon/truth.h>
 #include <pybind11/numpy.h>
@@ -31,23 +32,6 @@ namespace {
 template <typename T>
 using Array = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
-/// The sizes of an array as people write them: "(2, 3)".
-std::string shapeText(const py::array& array) {
-  return py::str(array.attr("shape")).cast<std::string>();
-}
-
-[[noreturn]] void refuse(const std::string& message) {
-  throw gnomon::Exception(gnomon::FailureKind::badInput, message);
-}
-
-/// @throws gnomon::Exception where an array has another number of dimensions, or another last size
-void requireShape(const py::array& array, const char* name, py::ssize_t dimensions,
-                  const char* expected, py::ssize_t last = -1) {
-  const bool fits = array.ndim() == dimensions && (last < 0 || array.shape(dimensions - 1) == last);
-  if (!fits)
-    refuse(std::string(name) + ": shape " + shapeText(array) + " found, " + expected + " expected");
-}
-
 template <typename T>
 std::span<const T> spanOf(const Array<T>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
@@ -61,40 +45,51 @@ py::array_t<T> arrayOf(std::vector<T>&& values, std::vector<py::ssize_t> shape) 
   return py::array_t<T>(std::move(shape), kept->data(), owner);
 }
 
-/// A mask's samples: 0 lit, 1 shadowed, 2 no answer. Booleans are taken as they are; numbers of
-/// another type are refused, since 0.5 would become lit without a word.
-Array<std::uint8_t> maskOf(const py::array& mask, const char* name) {
-  requireShape(mask, name, 2, "(height, width)");
-  const char kind = mask.dtype().kind();
-  if (kind != 'b' && kind != 'u' && kind != 'i') {
-    refuse(std::string(name) + ": numbers of type " + py::str(mask.dtype()).cast<std::string>() +
-           " found, True where it is shadowed or 0 lit, 1 shadowed, 2 no answer expected");
+/// Ends work from within, when a signal has raised an exception in Python.
+struct Interrupted {};
+
+/// To be called by long work now and then, where it reports how far it is. Throws Interrupted where
+/// the work has to end.
+using Stop = std::function<void()>;
+
+/// Does long work on another thread, while this one looks after Python's signals: only Python's
+/// main thread may. Python's other threads run meanwhile.
+/// @param work  gets a Stop
+template <typename Work>
+auto interruptibly(const Work& work) {
+  gnomon::StopSwitch whole;
+  std::atomic<bool> isInterrupted = false;
+  std::optional<py::error_already_set> raised;  // by Python's handler of the signal
+  std::optional<decltype(work(Stop()))> result;
+  {
+    const py::gil_scoped_release released;
+    auto done = std::async(std::launch::async, [&] {
+      whole.run([&] {
+        result.emplace(work([&] {
+          if (isInterrupted) throw Interrupted();
+        }));
+      });
+    });
+    while (done.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
+      const py::gil_scoped_acquire acquired;
+      if (isInterrupted || PyErr_CheckSignals() == 0) continue;
+      raised.emplace();
+      isInterrupted = true;
+      whole.stop();
+    }
+    try {
+      done.get();
+    } catch (const Interrupted&) {
+    } catch (const gnomon::Exception& failure) {
+      if (failure.kind() != gnomon::FailureKind::stopped) throw;
+    }
   }
-  if (kind != 'b' && mask.size() > 0) {
-    const auto within = py::bool_(mask.attr("min")() >= py::int_(0)) &&
-                        py::bool_(mask.attr("max")() <= py::int_(2));
-    if (!within) refuse(std::string(name) + ": a sample that is not 0, 1 or 2 found");
-  }
-  return Array<std::uint8_t>(mask);
+  if (raised) throw py::error_already_set(*raised);
+  return std::move(*result);
 }
 
 gnomon::MaskView viewOf(const Array<std::uint8_t>& mask) {
   return {static_cast<int>(mask.shape(1)), static_cast<int>(mask.shape(0)), spanOf(mask)};
-}
-
-bool holdsFloats(const py::array& array) {
-  return array.dtype().kind() == 'f';
-}
-
-py::array_t<float> ownArrayOf(gnomon::SharePixels&& map) {
-  return arrayOf(std::move(map.shares), {map.height, map.width});
-}
-
-/// Shares of a light's disc: NaN no answer. A mask's answers are shares of 0 and 1.
-Array<float> sharesOf(const py::array& map, const char* name) {
-  if (!holdsFloats(map)) return ownArrayOf(gnomon::sharesOfMask(viewOf(maskOf(map, name))));
-  requireShape(map, name, 2, "(height, width)");
-  return Array<float>(map);
 }
 
 gnomon::ShareView viewOf(const Array<float>& map) {
@@ -103,16 +98,18 @@ gnomon::ShareView viewOf(const Array<float>& map) {
 
 gnomon::MaskFigures figuresOf(const py::array& candidate, const py::array& truth,
                               const gnomon::CompareOptions& options) {
-  if (holdsFloats(truth)) {
-    const Array<float> answers = sharesOf(candidate, "candidate");
-    const Array<float> expected = sharesOf(truth, "truth");
-    const py::gil_scoped_release released;
-    return gnomon::compareShares(viewOf(answers), viewOf(expected), options);
+  if (truth.dtype().kind() == 'f') {
+    const Array<float> answers(candidate);
+    const Array<float> expected(truth);
+    return interruptibly([&](const Stop&) {
+      return gnomon::compareShares(viewOf(answers), viewOf(expected), options);
+    });
   }
-  const Array<std::uint8_t> answers = maskOf(candidate, "candidate");
-  const Array<std::uint8_t> expected = maskOf(truth, "truth");
-  const py::gil_scoped_release released;
-  return gnomon::compareMasks(viewOf(answers), viewOf(expected), options);
+  const Array<std::uint8_t> answers(candidate);
+  const Array<std::uint8_t> expected(truth);
+  return interruptibly([&](const Stop&) {
+    return gnomon::compareMasks(viewOf(answers), viewOf(expected), options);
+  });
 }
 
 py::dict compare(const py::array& candidate, const py::array& truth,
@@ -120,14 +117,10 @@ py::dict compare(const py::array& candidate, const py::array& truth,
                  const std::optional<Array<double>>& weights) {
   gnomon::CompareOptions options;
   if (roi) {
-    requireShape(*roi, "roi", 2, "(height, width)");
     options.region = {reinterpret_cast<const std::uint8_t*>(roi->data()),
                       static_cast<std::size_t>(roi->size())};
   }
-  if (weights) {
-    requireShape(*weights, "weights", 2, "(height, width)");
-    options.weights = spanOf(*weights);
-  }
+  if (weights) options.weights = spanOf(*weights);
   const gnomon::MaskFigures figures = figuresOf(candidate, truth, options);
   py::dict result("tp"_a = figures.truePositive, "fp"_a = figures.falsePositive,
                   "fn"_a = figures.falseNegative, "tn"_a = figures.trueNegative,
@@ -140,65 +133,21 @@ py::dict compare(const py::array& candidate, const py::array& truth,
   result["error_interval"] = figures.errorInterval;
   if (!figures.errorInterval) undefined["error_interval"] = figures.intervalReason;
   result["undefined"] = undefined;
+  result["notice"] = figures.notice.empty() ? py::object(py::none()) : py::str(figures.notice);
   return result;
 }
 
 py::array_t<std::uint8_t> readMask(const std::filesystem::path& file) {
-  gnomon::MaskPixels mask;
-  {
-    const py::gil_scoped_release released;
-    mask = gnomon::readMask(file);
-  }
+  gnomon::MaskPixels mask = interruptibly([&](const Stop&) { return gnomon::readMask(file); });
   return arrayOf(std::move(mask.samples), {mask.height, mask.width});
 }
 
 py::array_t<float> readShares(const std::filesystem::path& file) {
-  gnomon::SharePixels map;
-  {
-    const py::gil_scoped_release released;
-    map = gnomon::readShares(file);
-  }
-  return ownArrayOf(std::move(map));
-}
-
-/// Ends work from within, when a signal has raised an exception in Python.
-struct Interrupted {};
-
-/// To be called by long work now and then. Throws Interrupted where the work has to end.
-using Stop = std::function<void()>;
-
-/// Does long work on another thread, while this one looks after Python's signals: only Python's
-/// main thread may. Python's other threads run meanwhile.
-/// @param work  gets a Stop
-template <typename Work>
-auto interruptibly(const Work& work) {
-  std::atomic<bool> isInterrupted = false;
-  std::optional<py::error_already_set> raised;  // by Python's handler of the signal
-  std::optional<decltype(work(Stop()))> result;
-  {
-    const py::gil_scoped_release released;
-    auto done = std::async(std::launch::async, [&] {
-      return work([&] {
-        if (isInterrupted) throw Interrupted();
-      });
-    });
-    while (done.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
-      const py::gil_scoped_acquire acquired;
-      if (isInterrupted || PyErr_CheckSignals() == 0) continue;
-      raised.emplace();
-      isInterrupted = true;
-    }
-    try {
-      result.emplace(done.get());
-    } catch (const Interrupted&) {
-    }
-  }
-  if (raised) throw py::error_already_set(*raised);
-  return std::move(*result);
+  gnomon::SharePixels map = interruptibly([&](const Stop&) { return gnomon::readShares(file); });
+  return arrayOf(std::move(map.shares), {map.height, map.width});
 }
 
 gnomon::HeightMap heightMapOf(const Array<float>& heights, bool repeats) {
-  requireShape(heights, "heights", 2, "(rows, columns)");
   return {static_cast<int>(heights.shape(1)), static_cast<int>(heights.shape(0)), spanOf(heights),
           repeats};
 }
@@ -215,18 +164,31 @@ py::tuple horizons(const Array<float>& heights, int azimuths, double radius, boo
                         py::array_t<float>(shape, kept->distances.data(), owner));
 }
 
+gnomon::Surface makeShape(const std::string& shape, const gnomon::ShapeKeys& keys) {
+  return interruptibly([&](const Stop&) { return gnomon::makeShape(shape, keys); });
+}
+
+gnomon::Surface readSurface(const std::filesystem::path& file, bool triangles) {
+  return interruptibly([&](const Stop&) { return gnomon::readSurface(file, triangles); });
+}
+
 gnomon::Surface makeSurface(const Array<double>& positions, const Array<int>& faces,
-                            const Array<double>& uvs, const std::optional<Array<int>>& faceUvs) {
-  requireShape(positions, "positions", 2, "(vertices, 3)", 3);
-  requireShape(uvs, "uvs", 2, "(texture vertices, 2)", 2);
-  requireShape(faces, "faces", 2, "(faces, 3 or 4)");
-  const py::ssize_t corners = faces.shape(1);
-  if (corners != 3 && corners != 4)
-    refuse("faces: shape " + shapeText(faces) + " found, (faces, 3 or 4) expected");
-  gnomon::ControlMesh mesh{spanOf(positions), spanOf(faces), spanOf(uvs), {}, corners == 3};
-  if (faceUvs) mesh.faceUvs = spanOf(*faceUvs);
-  const py::gil_scoped_release released;
-  return gnomon::makeSurface(mesh);
+                            const Array<double>& uvs, const Array<int>& faceUvs) {
+  const gnomon::ControlMesh mesh{spanOf(positions), spanOf(faces), spanOf(uvs), spanOf(faceUvs),
+                                 faces.shape(1) == 3};
+  return interruptibly([&](const Stop&) { return gnomon::makeSurface(mesh); });
+}
+
+gnomon::SurfaceSamples atlas(const gnomon::Surface& surface, int samples) {
+  return interruptibly([&](const Stop&) { return gnomon::atlasSamples(surface, samples); });
+}
+
+gnomon::SurfaceSamples camera(const gnomon::Surface& surface, const std::array<double, 3>& eye,
+                              const std::array<double, 3>& target, const std::array<double, 3>& up,
+                              double fov, int width, int height, int subdivisions) {
+  return interruptibly([&](const Stop&) {
+    return gnomon::cameraSamples(surface, {eye, target, up, fov, width, height}, subdivisions);
+  });
 }
 
 /// One member of every place, as an array that shows the samples' own memory.
@@ -246,14 +208,6 @@ py::object weightsOf(const py::object& samples) {
 
 gnomon::SurfaceSamples samplesOf(const Array<int>& face, const Array<float>& s,
                                  const Array<float>& t) {
-  requireShape(face, "face", 2, "(height, width)");
-  for (const auto& [values, name] : {std::pair(&s, "s"), std::pair(&t, "t")}) {
-    requireShape(*values, name, 2, "(height, width) as of face");
-    if (values->shape(0) != face.shape(0) || values->shape(1) != face.shape(1)) {
-      refuse(std::string(name) + ": shape " + shapeText(*values) + " found, " + shapeText(face) +
-             " as of face expected");
-    }
-  }
   gnomon::SurfaceSamples samples{
       static_cast<int>(face.shape(1)), static_cast<int>(face.shape(0)), {}, {}};
   for (py::ssize_t i = 0; i < face.size(); ++i) {
@@ -267,11 +221,11 @@ py::list trace(const gnomon::Surface& surface, const Array<float>& heights,
                const std::vector<std::array<double, 3>>& lights,
                const std::array<double, 2>& repeats, bool heightsInTexels, bool mapRepeats,
                std::optional<double> step, std::optional<double> radius,
-               const std::vector<double>& discs, int directions) {
+               const std::vector<double>& lightRadii, int directions) {
   const gnomon::Displacement relief{heightMapOf(heights, mapRepeats), repeats, heightsInTexels};
   std::vector<gnomon::ShadowTruth> truths = interruptibly([&](const Stop& stop) {
     return gnomon::traceTruth(surface, relief, samples, lights,
-                              {step, radius, discs, directions, [&](double) { stop(); }});
+                              {step, radius, lightRadii, directions, [&](double) { stop(); }});
   });
   py::list list;
   for (gnomon::ShadowTruth& truth : truths) {
@@ -307,6 +261,10 @@ void addExceptions(py::module_& module) {
   static const py::exception<gnomon::Exception> input(
       module, "InputError", py::make_tuple(any, py::handle(PyExc_ValueError)));
   static const py::exception<gnomon::Exception> noGl(module, "NoOpenGLError", any);
+  any.attr("__doc__") = "Gnomon could not do what it was asked for.";
+  input.attr("__doc__") =
+      "An argument, file, study, mesh or shader is missing, malformed or out of range.";
+  noGl.attr("__doc__") = "This machine has no OpenGL 4.5.";
   // pybind11 asks for a function that takes the pointer by value.
   // NOLINTNEXTLINE(performance-unnecessary-value-param)
   py::register_exception_translator([](std::exception_ptr thrown) {
@@ -324,47 +282,38 @@ void addExceptions(py::module_& module) {
 }  // namespace
 
 PYBIND11_MODULE(_gnomon, module) {
-  module.doc() = "The compiled part of gnomon.";
+  module.doc() = "The compiled part of gnomon: takes arguments that gnomon.arguments has checked.";
+  module.attr("__version__") = GNOMON_VERSION;
   addExceptions(module);
-  py::class_<gnomon::Surface>(module, "Surface", "A smooth limit surface with texture coordinates.")
+  py::class_<gnomon::Surface>(
+      module, "Surface",
+      "A smooth limit surface with texture coordinates. `make_shape`, `read_surface` and "
+      "`make_surface` make it.")
       .def_property_readonly("face_count", &gnomon::Surface::faceCount,
-                             "Faces, each a square of parameters (s, t) from 0 to 1.");
-  py::class_<gnomon::SurfaceSamples>(module, "Samples",
-                                     "Points of a surface at which masks answer: row 0 at the top.")
-      .def(py::init(&samplesOf), "face"_a, "s"_a, "t"_a,
-           "Samples of another renderer: arrays (height, width); face -1 shows no surface.")
+                             "Faces, each a square of parameters (s, t) from 0 to 1.")
+      .def("__repr__", [](const gnomon::Surface& surface) {
+        const int faces = surface.faceCount();
+        return "<gnomon.Surface of " + std::to_string(faces) + (faces == 1 ? " face>" : " faces>");
+      });
+  py::class_<gnomon::SurfaceSamples>(module, "Samples", "What gnomon.Samples holds.")
+      .def(py::init(&samplesOf), "face"_a, "s"_a, "t"_a)
       .def_property_readonly(
           "face",
-          [](const py::object& self) { return memberOf(self, &gnomon::SurfacePlace::face); },
-          "(height, width) int32; -1 where there is no surface.")
+          [](const py::object& self) { return memberOf(self, &gnomon::SurfacePlace::face); })
       .def_property_readonly(
-          "s", [](const py::object& self) { return memberOf(self, &gnomon::SurfacePlace::s); },
-          "(height, width) float32, 0 to 1.")
+          "s", [](const py::object& self) { return memberOf(self, &gnomon::SurfacePlace::s); })
       .def_property_readonly(
-          "t", [](const py::object& self) { return memberOf(self, &gnomon::SurfacePlace::t); },
-          "(height, width) float32, 0 to 1.")
-      .def_property_readonly("weights", &weightsOf,
-                             "(height, width) world area of each; None where all count alike.");
-  module.def("make_shape", &gnomon::makeShape, "shape"_a, "sizes"_a, "columns"_a, "rows"_a,
-             py::call_guard<py::gil_scoped_release>());
-  module.def("read_surface", &gnomon::readSurface, "file"_a, "triangles"_a = false,
-             py::call_guard<py::gil_scoped_release>());
-  module.def("make_surface", &makeSurface, "positions"_a, "faces"_a, "uvs"_a,
-             "face_uvs"_a = py::none());
-  module.def("atlas", &gnomon::atlasSamples, "surface"_a, "side"_a,
-             py::call_guard<py::gil_scoped_release>());
-  module.def(
-      "camera",
-      [](const gnomon::Surface& surface, const std::array<double, 3>& eye,
-         const std::array<double, 3>& target, const std::array<double, 3>& up, double fov,
-         int width, int height, int subdivisions) {
-        return gnomon::cameraSamples(surface, {eye, target, up, fov, width, height}, subdivisions);
-      },
-      "surface"_a, "eye"_a, "target"_a, "up"_a, "fov"_a, "width"_a, "height"_a, "subdivisions"_a,
-      py::call_guard<py::gil_scoped_release>());
+          "t", [](const py::object& self) { return memberOf(self, &gnomon::SurfacePlace::t); })
+      .def_property_readonly("weights", &weightsOf);
+  module.def("make_shape", &makeShape, "shape"_a, "keys"_a);
+  module.def("read_surface", &readSurface, "file"_a, "triangles"_a);
+  module.def("make_surface", &makeSurface, "positions"_a, "faces"_a, "uvs"_a, "face_uvs"_a);
+  module.def("atlas", &atlas, "surface"_a, "samples"_a);
+  module.def("camera", &camera, "surface"_a, "eye"_a, "target"_a, "up"_a, "fov"_a, "width"_a,
+             "height"_a, "subdivisions"_a);
   module.def("horizons", &horizons, "heights"_a, "azimuths"_a, "radius"_a, "repeats"_a);
   module.def("trace", &trace, "surface"_a, "heights"_a, "samples"_a, "lights"_a, "repeats"_a,
-             "heights_in_texels"_a, "map_repeats"_a, "step"_a, "radius"_a, "discs"_a,
+             "heights_in_texels"_a, "map_repeats"_a, "step"_a, "radius"_a, "light_radii"_a,
              "directions"_a);
   module.def("compare", &compare, "candidate"_a, "truth"_a, "roi"_a, "weights"_a);
   module.def("read_mask", &readMask, "file"_a);

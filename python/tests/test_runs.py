@@ -1,6 +1,8 @@
 import csv
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -50,6 +52,90 @@ def test_metrics_are_one_long_table(study):
     assert len(rows) == len(wide) * (len(wide[0]) - 6)
 
 
+def test_rows_have_the_intervals_and_the_truths_uncertainty(study):
+    """As the long table of a sweep of one case has them."""
+    several = study.read_text() + '[[light]]\nname = "noon"\nazimuth = 20\nelevation = 60\n'
+    for text, out in [(study.read_text(), "one"), (several, "two")]:
+        study.write_text(text)
+        single = gnomon.run(study, out=out + "-single")
+        study.write_text(text + '[sweep]\nkey = "relief.height"\nvalues = [4]\n')
+        swept = gnomon.run(study, out=out + "-swept")
+        known = ("method", "light", "view", "answer", "region", "metric")
+        by_name = {tuple(row[key] for key in known): row for row in single.rows()}
+        shares = ["error_rate", "false_shadow", "false_light"]
+        compared = 0
+        for row in swept.rows():
+            own = by_name[tuple(row[key] for key in known)]
+            assert own["value"] == row["value"]
+            assert (own["low"], own["high"]) == (row["low"], row["high"])
+            if row["metric"] in shares:
+                assert own["uncertainty"] == row["uncertainty"]
+                compared += 1
+        assert compared > 10
+        scores = [row for row in single.rows() if row["low"] is not None]
+        assert len(scores) == 2 * (1 if out == "one" else 2)
+        assert all(row["low"] <= row["value"] <= row["high"] for row in scores)
+
+
+def test_names_that_are_not_there_are_answered_with_those_that_are(study):
+    result = gnomon.run(study)
+    for asked, message in [
+        ({"method": "max-forsith"}, "method 'max-forsith' not found, one of 'max-forsyth', 'unshadowed' expected"),
+        ({"metric": "error"}, "metric 'error' not found, one of .*'error_rate'.* expected"),
+        ({"metric": "method"}, "metric 'method' not found"),
+        ({"light": "noon"}, "light 'noon' not found, one of 'evening' expected"),
+        ({"view": "atlas"}, "view 'atlas' not found, one of 'camera' expected"),
+        ({"region": "sea"}, "region 'sea' not found, one of 'all'"),
+        ({"answer": "asked"}, "answer 'asked' not found, one of 'drawn', 'test' expected"),
+    ]:
+        with pytest.raises(gnomon.UnknownNameError, match="^" + message) as refused:
+            result.value(**{"method": "max-forsyth", **asked})
+        assert isinstance(refused.value, KeyError) and isinstance(refused.value, gnomon.InputError)
+        assert "\n" not in str(refused.value)
+    key = ("max-forsyth", "camera", "noon")
+    with pytest.raises(KeyError, match="'max-forsyth', 'camera', 'evening'"):
+        result.masks[key]
+    assert key not in result.masks and result.masks.get(key) is None
+    with pytest.raises(KeyError, match="'camera', 'evening'"):
+        result.truth["camera", "noon"]
+    with pytest.raises(KeyError, match="'max-forsyth', 'camera', 'evening'"):
+        result.truth_of(*key)
+    study.write_text(
+        study.read_text() + '[[light]]\nname = "noon"\nazimuth = 20\nelevation = 60\n'
+    )
+    with pytest.raises(KeyError, match="light: none found, one of 'evening', 'noon' expected"):
+        gnomon.run(study).value("max-forsyth")
+
+
+def test_masks_are_as_their_pictures_and_an_inverted_one_is_noticed(study):
+    """White is 1: what a run writes, what Python reads, what a study is given."""
+    result = gnomon.run(study)
+    truth = result.truth["camera", "evening"]
+    mask = result.masks["unshadowed", "camera", "evening"]
+    assert (mask == 1).sum() > (truth == 1).sum() > (truth == 0).sum() > 0
+    given = study.parent / "given"
+    given.mkdir()
+    # Without a writer of PNG: grey letters of the portable formats.
+    picture = np.choose(truth, [255, 0, 128]).astype(np.uint8)
+    for name in ["evening", "camera_evening"]:
+        with open(given / f"{name}.pgm", "wb") as file:
+            file.write(b"P5 %d %d 255\n" % picture.shape[::-1] + picture.tobytes())
+    text = study.read_text() + '[[method]]\nmasks = "given"\nlabel = "theirs"\n'
+    study.write_text(text)
+    (given / "evening.pgm").unlink()
+    measured = gnomon.run(study)
+    assert measured.value("theirs") == 1
+    expected = "100 % of the samples are wrong, and the complement would be 0 % wrong: is one of them inverted?"
+    (notice,) = [one for one in measured.summary["notices"] if "inverted" in one]
+    assert notice == f"theirs: camera_evening.pgm: {expected}"
+    told = command("compare", given / "camera_evening.pgm", "out/small/masks/camera_evening_truth.png")
+    assert expected in " ".join(told.stdout.split())
+    with pytest.warns(UserWarning) as warned:
+        figures = gnomon.compare(np.where(truth == 2, 2, 1 - truth % 2), truth)
+    assert str(warned[0].message) == figures["notice"] == expected
+    assert gnomon.compare(truth, truth)["notice"] is None
+
+
 def test_settings_override_keys(study):
     low = gnomon.run(study, set={"relief.height": 1, "relief.wrap": "clamp"}, out="low")
     settings = low.summary["study"]["settings"]
@@ -67,6 +153,19 @@ def test_a_sweep_has_its_keys_in_the_rows(study):
     rows = gnomon.run(study).rows()
     assert {row["relief.height"] for row in rows} == {1, 2}
     assert {"case", "method", "metric", "value", "low", "high"} <= set(rows[0])
+
+
+def test_a_sweep_has_no_single_figure(study):
+    study.write_text(study.read_text() + '[sweep]\nkey = "relief.height"\nvalues = [1, 2]\n')
+    with pytest.raises(gnomon.InputError, match=r"a sweep found, .* rows\(\) has them"):
+        gnomon.run(study).value("max-forsyth")
+
+
+@pytest.mark.parametrize("text", ["[]", "{}", "3", "{"])
+def test_a_folder_of_something_else_is_refused(text, tmp_path):
+    (tmp_path / "summary.json").write_text(text)
+    with pytest.raises(gnomon.InputError, match="summary.json: no "):
+        gnomon.load(tmp_path)
 
 
 def test_names_stay_text(study):
@@ -120,27 +219,105 @@ def test_progress_is_told_and_may_end_a_run(study):
     assert not (study.parent / "ended/small/summary.json").exists()
 
 
-def test_an_interrupt_ends_a_run(study):
-    """As Ctrl-C does: the signal comes while the run is at work."""
-    began = threading.Event()
+@pytest.mark.parametrize("wanted", ["truth", "compare"])
+def test_an_interrupt_ends_a_run_within_a_second(study, wanted):
+    """As Ctrl-C does: the signal comes while a stage of the run is at work."""
+    sent = []
 
-    def interrupt():
-        began.wait(60)
-        os.kill(os.getpid(), signal.SIGINT)
+    def interrupt(stage, share):
+        if wanted in stage and not sent:
+            sent.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
 
-    thread = threading.Thread(target=interrupt)
-    thread.start()
-    start = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         gnomon.run(
             study,
             set={"view.0.width": 2048, "view.0.height": 2048, "truth.step": 0.02},
             cache=False,
-            progress=lambda stage, share: began.set(),
+            progress=interrupt,
         )
-    thread.join()
-    assert time.monotonic() - start < 60
+    assert time.monotonic() - sent[0] < 1.5
     assert not (study.parent / "out/small/summary.json").exists()
+
+
+def test_runs_in_threads_do_not_touch_each_other(study):
+    """One that fails early must not take the display from the others."""
+    alone = gnomon.run(study, out="alone", cache=False)
+    found = {}
+
+    def run(number, **changes):
+        try:
+            found[number] = gnomon.run(study, out=f"thread-{number}", cache=False, **changes)
+        except gnomon.InputError as error:
+            found[number] = error
+
+    changes = [{}, {"set": {"method.1.name": "no-such-method"}}] * 4
+    threads = [
+        threading.Thread(target=run, args=[number], kwargs=change)
+        for number, change in enumerate(changes)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for number, change in enumerate(changes):
+        if change:
+            assert "no-such-method" in str(found[number])
+        else:
+            for key, mask in alone.masks.items():
+                assert (found[number].masks[key] == mask).all()
+
+
+FORK = """
+import multiprocessing, os, sys
+import gnomon
+
+def work(study):
+    try:
+        return repr(gnomon.run(study, out=sys.argv[2]).value("max-forsyth"))
+    except gnomon.Error as error:
+        return type(error).__name__ + ": " + str(error)
+
+if __name__ == "__main__":
+    for method in sys.argv[3:]:
+        if method == "first":
+            work(sys.argv[1])
+        elif method == "bare":
+            if os.fork() == 0:
+                print(work(sys.argv[1]))
+                sys.exit()
+            os.wait()
+        else:
+            with multiprocessing.get_context(method).Pool(2) as pool:
+                print(*pool.map(work, [sys.argv[1]]))
+        sys.stdout.flush()
+"""
+
+
+def forked(study, *methods):
+    script = study.parent / "fork.py"
+    script.write_text(FORK)
+    told = subprocess.run(
+        [sys.executable, script, study, "forked", *methods],
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert told.returncode == 0, told.stderr
+    return told.stdout.splitlines()
+
+
+def test_a_fork_of_a_process_that_has_used_gnomon_is_told_to_spawn(study):
+    fork, bare, spawned = forked(study, "first", "fork", "bare", "spawn")
+    for line in [fork, bare]:
+        assert line.startswith("Error: this process is a fork of one that had used gnomon")
+        assert 'multiprocessing.get_context("spawn")' in line
+    assert spawned == repr(gnomon.run(study).value("max-forsyth"))
+
+
+def test_a_fork_before_the_first_call_works(study):
+    expected = repr(gnomon.run(study).value("max-forsyth"))
+    assert forked(study, "fork", "bare") == [expected, expected]
 
 
 def test_other_threads_run_meanwhile(study):

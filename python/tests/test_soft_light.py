@@ -78,17 +78,17 @@ def test_a_trace_gives_the_exported_shares(soft):
     masks = {mask["light"]: mask for mask in exported["views"][0]["masks"]}
     lights = {light["name"]: light["direction"] for light in exported["lights"]}
     traced = gnomon.trace(
-        gnomon.make_shape("plane", [32, 32], 4, 4),
+        gnomon.make_shape("plane", quads=(4, 4), size=(32, 32)),
         4 * heights[::-1],  # a picture's last row is v = 0
         gnomon.Samples(channels["face"], channels["s"], channels["t"]),
         [lights["evening"], lights["point"]],
         step=0.5,
-        disc=[math.radians(DISC), 0],
+        light_radius=[DISC, 0],
     )
     shares = gnomon.read_shares("out/small/export/" + masks["evening"]["shares"])
     assert np.array_equal(traced[0].shares, shares, equal_nan=True)
     assert 0 < np.nanmean(shares) < 1
-    assert (traced[0].mask == np.where(np.isnan(shares), 2, shares < 0.5)).all()
+    assert (traced[0].mask == np.where(np.isnan(shares), 2, shares >= 0.5)).all()
     assert traced[1].shares is None
     assert (traced[1].mask == gnomon.read_mask("out/small/export/" + masks["point"]["truth"])).all()
     for truth, light in zip(traced, ["evening", "point"]):
@@ -97,7 +97,7 @@ def test_a_trace_gives_the_exported_shares(soft):
 
 def test_compare_takes_masks_and_shares(soft):
     truth = np.array([[1, 0.5], [0, math.nan]])
-    mask = np.array([[0, 1], [1, 2]], np.uint8)
+    mask = np.array([[1, 0], [0, 2]], np.uint8)
     found = gnomon.compare(mask, truth)
     assert found["mae"] == found["error_rate"] == found["false_shadow"] == pytest.approx(0.5 / 3)
     assert gnomon.compare(truth, truth)["mae"] == 0
@@ -110,9 +110,21 @@ def test_compare_takes_masks_and_shares(soft):
         gnomon.compare(2 * truth, truth)
 
 
-@pytest.mark.parametrize("disc", [-1, 1, math.nan, [0.1, 0.1]])
-def test_discs_that_are_none_are_refused(disc):
-    plane = gnomon.make_shape("plane", [1, 1], 1, 1)
+@pytest.mark.parametrize(
+    "radius, message",
+    [
+        (-1, "light 0: radius: -1 found, .* at most 10 expected .degrees"),
+        (10.5, "light 0: radius: 10.5 found"),
+        (math.nan, "light 0: radius: nan found"),
+        ([0.1, 0.1], "light_radius: .* found, one for each of 1 lights expected"),
+        ("sun", "light_radius: 'sun' found, a number of degrees expected"),
+        ([[1]], r"light_radius: shape \(1, 1\) found, \(lights,\) expected"),
+    ],
+)
+def test_radii_that_are_none_are_refused(radius, message):
+    plane = gnomon.make_shape("plane", quads=(1, 1), size=(1, 1))
     flat = np.zeros((2, 2), np.float32)
-    with pytest.raises(gnomon.InputError, match="discs: "):
-        gnomon.trace(plane, flat, gnomon.atlas(plane, 2), [(0, 0, 1)], step=0.5, disc=disc)
+    with pytest.raises(gnomon.InputError, match=message):
+        gnomon.trace(
+            plane, flat, gnomon.atlas(plane, 2), [(0, 0, 1)], step=0.5, light_radius=radius
+        )

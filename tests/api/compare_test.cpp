@@ -17,8 +17,8 @@ using ::testing::HasSubstr;
 using Samples = std::vector<std::uint8_t>;
 
 // Of six samples the truth has an answer at five.
-const Samples right = {0, 0, 1, 1, 1, 2};
-const Samples judged = {0, 1, 1, 1, 0, 2};
+const Samples right = {1, 1, 0, 0, 0, 2};
+const Samples judged = {1, 0, 0, 0, 1, 2};
 
 TEST(ApiCompare, CountsAndRates) {
   const MaskFigures figures = compareMasks({3, 2, judged}, {3, 2, right});
@@ -66,6 +66,31 @@ TEST(ApiCompare, HasAnIntervalOrAReason) {
   EXPECT_NE(few.intervalReason, "");
 }
 
+TEST(ApiCompare, AsksWhetherAMaskIsInvertedThatIsWrongNearlyEverywhere) {
+  // 4 of 1000 samples of the complement are wrong.
+  Samples truth(1000), inverted(1000);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    truth[i] = i % 3 == 0 ? 0 : 1;
+    inverted[i] = i < 4 ? truth[i] : 1 - truth[i];
+  }
+  const auto noticeOf = [&](const Samples& mine) {
+    return compareMasks({100, 10, mine}, {100, 10, truth}).notice;
+  };
+  EXPECT_EQ(noticeOf(inverted),
+            "99.6 % of the samples are wrong, and the complement would be 0.4 % wrong: is one of "
+            "them inverted?");
+  for (std::size_t i = 0; i < 50; ++i) inverted[i] = truth[i];
+  EXPECT_THAT(noticeOf(inverted), HasSubstr("95 % of the samples are wrong"));
+  inverted[50] = truth[50];
+  EXPECT_EQ(noticeOf(inverted), "");
+  // Of shares it is |1 - V - V_truth|, which is not 1 - |V - V_truth|.
+  EXPECT_EQ(
+      compareShares({2, 2, std::vector<float>(4, 0.98F)}, {2, 2, std::vector<float>(4, 0.01F)})
+          .notice,
+      "97 % of the samples are wrong, and the complement would be 1 % wrong: is one of them "
+      "inverted?");
+}
+
 constexpr float noShare = std::numeric_limits<float>::quiet_NaN();
 
 TEST(ApiCompare, DividesSharesAmongTheCells) {
@@ -109,7 +134,7 @@ TEST(ApiCompare, RefusesWhatIsNoShare) {
 }
 
 TEST(ApiCompare, SaysWhyAMetricIsUndefined) {
-  const Samples lit(4, 0);
+  const Samples lit(4, 1);
   const MaskFigures figures = compareMasks({2, 2, lit}, {2, 2, lit});
   EXPECT_FALSE(figures.value("iou"));
   for (const MaskMetric& metric : figures.metrics) {

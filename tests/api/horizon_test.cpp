@@ -53,11 +53,11 @@ TEST(ApiHorizon, RefusesWhatIsNoMap) {
   EXPECT_THAT(failureOf([&] {
                 (void)bakeHorizons({9, 5, texels}, 0, 10);
               }),
-              StartsWith("azimuths: 0 found"));
+              StartsWith("horizons: azimuths: 0 found"));
   EXPECT_THAT(failureOf([&] {
                 (void)bakeHorizons({9, 5, texels}, 4, -1);
               }),
-              StartsWith("radius: -1 texels found"));
+              StartsWith("horizons: radius: -1 found"));
 }
 
 }  // namespace

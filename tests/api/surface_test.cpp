@@ -13,7 +13,9 @@
 namespace gnomon::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 class ApiSurface : public TemporaryFolder {};
 
@@ -24,11 +26,14 @@ double areaOf(const Surface& surface) {
 
 // What a sphere of radius R has between two longitudes and two latitudes: R² Δλ 2 sin(Δφ / 2).
 TEST_F(ApiSurface, WeightsOfAnAtlasSumToTheArea) {
-  EXPECT_NEAR(areaOf(makeShape("plane", {3, 5}, 3, 2)), 15, 15e-5);
-  EXPECT_NEAR(areaOf(makeShape("sphere", {7, 1, 2}, 40, 40)), 49 * 2 * std::sin(1), 1e-2);
-  EXPECT_NEAR(areaOf(makeShape("cylinder", {5, 2, 4}, 40, 2)), 5 * 2 * 4, 1e-2);
+  EXPECT_NEAR(areaOf(makeShape("plane", {{"quads", {3, 2}}, {"size", {3, 5}}})), 15, 15e-5);
+  const ShapeKeys patch = {{"quads", {40, 40}}, {"curvature", {1.0 / 7}}, {"size", {7, 14}}};
+  EXPECT_NEAR(areaOf(makeShape("sphere", patch)), 49 * 2 * std::sin(1), 1e-2);
+  const ShapeKeys pipe = {{"quads", {40, 2}}, {"curvature", {1.0 / 5}}, {"size", {10, 4}}};
+  EXPECT_NEAR(areaOf(makeShape("cylinder", pipe)), 5 * 2 * 4, 1e-2);
   const double pi = std::acos(-1);
-  EXPECT_NEAR(areaOf(makeShape("torus", {6, 2}, 64, 64)), 4 * pi * pi * 6 * 2, 0.1);
+  EXPECT_NEAR(areaOf(makeShape("torus", {{"quads", {64, 64}}, {"major", {6}}, {"minor", {2}}})),
+              4 * pi * pi * 6 * 2, 0.1);
 }
 
 /// Two squares side by side in z = 0, u along x and v along y.
@@ -55,7 +60,8 @@ TEST_F(ApiSurface, TakesAFile) {
 }
 
 TEST_F(ApiSurface, AnAtlasHasItsFirstRowAtTheTop) {
-  const SurfaceSamples samples = atlasSamples(makeShape("plane", {1, 1}, 2, 2), 4);
+  const SurfaceSamples samples =
+      atlasSamples(makeShape("plane", {{"quads", {2, 2}}, {"size", {1, 1}}}), 4);
   ASSERT_EQ(samples.width, 8);
   ASSERT_EQ(samples.height, 8);
   EXPECT_EQ(samples.places.front().face, 2);
@@ -64,13 +70,32 @@ TEST_F(ApiSurface, AnAtlasHasItsFirstRowAtTheTop) {
   EXPECT_EQ(samples.places.back().face, 1);
 }
 
+// Points come three numbers each, row by row: a patch of the plane over the unit square.
+TEST_F(ApiSurface, TakesControlPoints) {
+  std::vector<double> points;
+  for (int i = 0; i < 16; ++i) {
+    points.insert(points.end(), {i % 4 / 3.0, i / 4 / 3.0, 0.0});
+  }
+  const Surface patch = makeShape("bezier", {{"quads", {3, 2}}, {"points", points}});
+  EXPECT_EQ(patch.faceCount(), 6);
+  EXPECT_NEAR(areaOf(patch), 1, 1e-4);
+  const Surface spline = makeShape("b-spline", {{"columns", {4}}, {"points", points}});
+  EXPECT_EQ(spline.faceCount(), 1);
+  EXPECT_NEAR(areaOf(spline), 1.0 / 9, 1e-5) << "the middle of 3 × 3 cells";
+  points.pop_back();
+  EXPECT_THAT(failureOf([&] {
+                (void)makeShape("bezier", {{"quads", {3, 2}}, {"points", points}});
+              }),
+              HasSubstr("points: "));
+}
+
 // Seen from straight above, a pixel shows the point of the plane that lies under it.
 TEST_F(ApiSurface, ACameraShowsWhatIsUnderItsPixels) {
   constexpr int pixels = 16;
-  const Surface plane = makeShape("plane", {2, 2}, 1, 1);
+  const Surface plane = makeShape("plane", {{"quads", {1, 1}}, {"size", {2, 2}}});
   PinholeCamera camera;
   camera.eye = {0, 0, 2};
-  camera.verticalFov = 2 * std::atan(0.5);  // one unit wide
+  camera.fov = 360 / std::acos(-1) * std::atan(0.5);  // one unit wide
   camera.width = camera.height = pixels;
   const SurfaceSamples samples = cameraSamples(plane, camera);
   ASSERT_EQ(samples.places.size(), static_cast<std::size_t>(pixels * pixels));
@@ -85,9 +110,18 @@ TEST_F(ApiSurface, ACameraShowsWhatIsUnderItsPixels) {
 }
 
 TEST_F(ApiSurface, RefusesWhatIsNoSurface) {
-  EXPECT_THAT(failureOf([] { (void)makeShape("cone", {1}, 2, 2); }), HasSubstr("cone"));
-  EXPECT_THAT(failureOf([] { (void)makeShape("torus", {1}, 2, 2); }), HasSubstr("2 expected"));
-  EXPECT_NE(failureOf([] { (void)makeShape("plane", {1, -1}, 2, 2); }), "");
+  const auto refusal = [](std::string_view shape, const ShapeKeys& keys) {
+    return failureOf([&] { (void)makeShape(shape, keys); });
+  };
+  EXPECT_THAT(refusal("cone", {}), AllOf(HasSubstr("cone"), HasSubstr("torus")));
+  EXPECT_THAT(refusal("torus", {{"quads", {64, 64}}, {"major", {1}}}), HasSubstr("minor: missing"));
+  EXPECT_THAT(refusal("plane", {{"quads", {2, 2}}, {"size", {1, -1}}}),
+              HasSubstr("size: -1 found"));
+  EXPECT_THAT(refusal("plane", {{"quads", {2.5, 2}}, {"size", {1, 1}}}), HasSubstr("quads: "));
+  EXPECT_THAT(refusal("plane", {{"quads", {2, 2}}, {"size", {1, 1}}, {"major", {1}}}),
+              HasSubstr("major: unknown key"));
+  EXPECT_THAT(refusal("plane", {{"quads", {2, 2}}, {"size", {1, 1}}, {"radius", {1}}}),
+              HasSubstr("radius: unknown key"));
   TwoSquares squares;
   squares.faces.back() = 77;
   EXPECT_THAT(failureOf([&] { (void)makeSurface(squares.mesh()); }), HasSubstr("77"));
@@ -95,12 +129,24 @@ TEST_F(ApiSurface, RefusesWhatIsNoSurface) {
   EXPECT_THAT(failureOf([&] { (void)makeSurface(squares.mesh()); }), HasSubstr("7 corners"));
   squares.positions.pop_back();
   EXPECT_THAT(failureOf([&] { (void)makeSurface(squares.mesh()); }), HasSubstr("positions"));
-  const Surface plane = makeShape("plane", {1, 1}, 2, 2);
-  EXPECT_THAT(failureOf([&] { (void)atlasSamples(plane, 0); }), HasSubstr("side"));
-  EXPECT_THAT(failureOf([&] { (void)atlasSamples(plane, 1 << 20); }), HasSubstr("side"));
+  const Surface plane = makeShape("plane", {{"quads", {2, 2}}, {"size", {1, 1}}});
+  EXPECT_THAT(failureOf([&] { (void)atlasSamples(plane, 0); }), HasSubstr("samples: 0 found"));
+  EXPECT_THAT(failureOf([&] { (void)atlasSamples(plane, 4097); }), HasSubstr("samples"));
+  const auto refused = [&](const PinholeCamera& camera, int subdivisions = 1) {
+    return failureOf([&] { (void)cameraSamples(plane, camera, subdivisions); });
+  };
   PinholeCamera camera;
+  for (const double fov : {0.0, 171.0, std::nan("")}) {
+    camera.fov = fov;
+    EXPECT_THAT(refused(camera), AllOf(StartsWith("camera: fov: "), HasSubstr("(degrees")));
+  }
+  camera = {};
+  camera.eye[1] = std::nan("");
+  EXPECT_THAT(refused(camera), StartsWith("camera: eye: nan found"));
+  EXPECT_THAT(refused({}, 0), StartsWith("camera: subdivisions: 0 found"));
+  camera = {};
   camera.width = 0;
-  EXPECT_THAT(failureOf([&] { (void)cameraSamples(plane, camera); }), HasSubstr("camera"));
+  EXPECT_THAT(refused(camera), StartsWith("camera: width: 0 found"));
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "api/inner/mask_bytes.h"
 #include "api/inner/translated.h"
 #include "common/error.h"
 #include "common/mask.h"
 #include "common/visibility.h"
 #include "compare/boundaries.h"
-#include "compare/counts.h"
 #include "compare/mask_checks.h"
 #include "compare/mask_metrics.h"
 #include "compare/rates.h"
@@ -36,11 +36,12 @@ Mask maskOf(const MaskView& view, const char* what) {
   requireWhole(view.width, view.height, view.samples.size(), what);
   mask.samples.reserve(view.samples.size());
   for (const std::uint8_t value : view.samples) {
-    if (value > static_cast<std::uint8_t>(Shade::none)) {
+    const std::optional<Shade> shade = shadeOf(value);
+    if (!shade) {
       throw InputError(fmt::format("{}: {} found at index {}; 0, 1 or 2 expected", what, value,
                                    mask.samples.size()));
     }
-    mask.samples.push_back(static_cast<Shade>(value));
+    mask.samples.push_back(*shade);
   }
   return mask;
 }
@@ -81,9 +82,7 @@ std::optional<Mask> regionOf(const Mask& truth, const CompareOptions& options) {
 /// The figures of masks, or of shares where there are any.
 MaskFigures figuresOf(const compare::ComparedMasks& masks, std::span<const double> weights) {
   const bool isSoft = masks.truthShares.size() > 0;
-  const compare::Counts counts =
-      isSoft ? compare::countSamples(masks.candidateShares, masks.truthShares, weights)
-             : compare::countSamples(masks.candidate, masks.truth, weights);
+  const compare::Counts counts = compare::countsOf(masks, weights);
   MaskFigures figures{counts.truePositive,
                       counts.falsePositive,
                       counts.falseNegative,
@@ -91,7 +90,8 @@ MaskFigures figuresOf(const compare::ComparedMasks& masks, std::span<const doubl
                       counts.samples,
                       {},
                       {},
-                      {}};
+                      {},
+                      compare::invertedNotice(masks, weights).value_or("")};
   add(figures.metrics, compare::rates(counts));
   add(figures.metrics, compare::compareBoundaries(masks.candidate, masks.truth));
   if (isSoft) {
@@ -122,7 +122,7 @@ MaskPixels readMask(const std::filesystem::path& file) {
     MaskPixels pixels{mask.width, mask.height, {}};
     pixels.samples.reserve(mask.samples.size());
     for (const Shade shade : mask.samples) {
-      pixels.samples.push_back(static_cast<std::uint8_t>(shade));
+      pixels.samples.push_back(byteOf(shade));
     }
     return pixels;
   });

@@ -15,7 +15,8 @@
 namespace gnomon {
 inline namespace api {
 
-/// A mask: 0 lit, 1 shadowed, 2 no answer; row by row. The samples stay the caller's.
+/// A mask: 1 lit, 0 shadowed, 2 no answer; row by row. The samples stay the caller's. As in files,
+/// where white is lit, and as V of `ShareView`.
 struct MaskView {
   int width = 0, height = 0;
   std::span<const std::uint8_t> samples;  ///< width × height
@@ -81,6 +82,9 @@ struct MaskFigures {
   /// The 95 % interval of error_rate, by blocks of the picture; docs/metrics.md says of what.
   std::optional<std::array<double, 2>> errorInterval;
   std::string intervalReason;  ///< why there is none; empty if there is one
+  /// What to look at before the figures are used: that one of the masks seems inverted. Empty if
+  /// there is nothing.
+  std::string notice;
 
   /// The value of a metric, if it is defined.
   /// @throws Exception  badInput for a name that is not in the list

@@ -1,7 +1,11 @@
 #include "gnomon/exception.h"
 
+#include <unistd.h>
+
 #include "api/inner/translated.h"
 #include "cli/failure.h"
+#include "common/cancellation.h"
+#include "gnomon/stop_switch.h"
 
 namespace gnomon {
 inline namespace api {
@@ -9,11 +13,23 @@ inline namespace api {
 Exception::Exception(FailureKind kind, const std::string& message)
     : std::runtime_error(message), kind_(kind) {}
 
+void requireOwnProcess() {
+  static const pid_t first = getpid();
+  if (getpid() == first) return;
+  throw Exception(
+      FailureKind::internal,
+      "this process is a fork of one that had used gnomon, whose threads do not live on "
+      "in it: start processes by \"spawn\" (in Python "
+      "multiprocessing.get_context(\"spawn\")), or fork before the first call");
+}
+
 void throwTranslated() {
   try {
     throw;
   } catch (const Exception&) {
     throw;
+  } catch (const Cancelled&) {
+    throw Exception(FailureKind::stopped, "stopped by another thread");
   } catch (...) {
     const cli::Failure failure = cli::currentFailure();
     switch (failure.status) {
@@ -26,6 +42,25 @@ void throwTranslated() {
         throw Exception(FailureKind::internal, failure.message);
     }
   }
+}
+
+struct StopSwitch::Inner {
+  Cancellation cancellation;
+};
+
+StopSwitch::StopSwitch() : inner_(std::make_unique<Inner>()) {}
+StopSwitch::~StopSwitch() = default;
+
+void StopSwitch::run(const std::function<void()>& work) {
+  try {
+    inner_->cancellation.run(work);
+  } catch (const Cancelled&) {
+    throwTranslated();
+  }
+}
+
+void StopSwitch::stop() {
+  inner_->cancellation.cancel();
 }
 
 }  // namespace api

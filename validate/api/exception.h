@@ -16,6 +16,7 @@ enum class FailureKind : int {
   badInput = 3,   ///< a file, number, size or shader is missing, malformed or out of range
   internal = 4,   ///< out of memory, an OpenGL driver that draws wrong, or a fault in Gnomon
   noOpenGl = 77,  ///< this machine has no OpenGL 4.5
+  stopped = 130,  ///< a StopSwitch ended the call
 };
 
 /// The only type of exception that the library throws. Its message is one line: the file or

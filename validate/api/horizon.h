@@ -13,9 +13,9 @@ inline namespace api {
 /// `texels[j * width + i]`, its centre lies at (i + 0.5, j + 0.5), and row 0 is at v = 0. The
 /// texels stay the caller's.
 struct HeightMap {
-  int width = 0, height = 0;  ///< texels, at least 1
-  std::span<const float> texels;
-  bool repeats = true;  ///< outside the map; otherwise the outermost texels go on
+  int width = 0, height = 0;      ///< texels, at least 1
+  std::span<const float> texels;  ///< heights from -1e6 to 1e6
+  bool repeats = true;            ///< outside the map; otherwise the outermost texels go on
   /// The surface ends where the map does, in x or in y: nothing beyond it casts a shadow.
   bool endsInX = false, endsInY = false;
 };
@@ -37,8 +37,8 @@ struct HorizonMaps {
 
 /// Computes the exact suprema of the bilinear function, up to float rounding, on all threads. The
 /// bytes depend neither on the number of threads nor on the processor.
-/// @param azimuths  M, at least 1
-/// @param radius    D, texels, above 0
+/// @param azimuths  M, 1 to 1024
+/// @param radius    D, texels, above 0 and at most 1e5
 /// @param progress  told what share is done, 0 to 1, from any thread but never from two at once;
 ///   what it throws cancels the bake and comes out of it
 /// @throws Exception  badInput for a size, height or setting out of range; internal where the maps

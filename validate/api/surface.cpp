@@ -1,10 +1,9 @@
 #include "gnomon/surface.h"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "api/inner/surface_data.h"
@@ -15,8 +14,10 @@
 #include "render/passes/passes.h"
 #include "render/shader_files.h"
 #include "render/view.h"
+#include "study/spec/sections/base_section.h"
+#include "study/spec/sections/surface_section.h"
+#include "study/spec/sections/view_section.h"
 #include "surface/base_mesh.h"
-#include "surface/cage/shapes.h"
 #include "surface/mesh_file.h"
 #include "surface/sample_grid.h"
 
@@ -25,7 +26,6 @@ inline namespace api {
 namespace {
 
 constexpr double mostSamples = 1 << 27;
-constexpr int mostPixelsASide = 16384;
 
 Surface surfaceOf(surface::Cage cage) {
   return Surface(std::make_shared<const Surface::Data>(std::move(cage)));
@@ -65,32 +65,51 @@ surface::Cage cageOf(const ControlMesh& mesh) {
   return cage;
 }
 
-surface::Cage shapeOf(std::string_view shape, const std::vector<double>& sizes, int columns,
-                      int rows) {
-  static const std::map<std::string_view, std::size_t> counts = {
-      {"plane", 2}, {"cylinder", 3}, {"sphere", 3}, {"torus", 2}};
-  const auto found = counts.find(shape);
-  if (found == counts.end()) {
-    throw InputError(fmt::format("shape \"{}\": plane, cylinder, sphere or torus expected", shape));
+toml::array arrayOf(std::span<const double> numbers) {
+  toml::array array;
+  for (const double number : numbers) array.push_back(number);
+  return array;
+}
+
+/// Three numbers to a point; what is left over is refused as no point.
+toml::array pointsOf(const std::vector<double>& numbers) {
+  toml::array points;
+  for (std::size_t i = 0; i < numbers.size(); i += 3) {
+    points.push_back(
+        arrayOf(std::span(numbers).subspan(i, std::min<std::size_t>(3, numbers.size() - i))));
   }
-  if (sizes.size() != found->second) {
-    throw InputError(fmt::format("shape \"{}\": {} sizes found, {} expected", shape, sizes.size(),
-                                 found->second));
+  return points;
+}
+
+surface::Cage shapeOf(std::string_view shape, const ShapeKeys& keys) {
+  toml::table table{{"shape", shape}};
+  for (const auto& [key, numbers] : keys) {
+    if (key == "points") {
+      table.insert(key, pointsOf(numbers));
+    } else if (key == "columns" && numbers.size() == 1 && std::trunc(numbers[0]) == numbers[0]) {
+      table.insert(key, static_cast<std::int64_t>(numbers[0]));
+    } else if (numbers.size() == 1) {
+      table.insert(key, numbers[0]);
+    } else {
+      table.insert(key, arrayOf(numbers));
+    }
   }
-  if (shape == "plane") return surface::makePlane(sizes[0], sizes[1], columns, rows);
-  if (shape == "torus") return surface::makeTorus(sizes[0], sizes[1], columns, rows);
-  if (shape == "cylinder")
-    return surface::makeCylinder(sizes[0], sizes[1], sizes[2], columns, rows);
-  return surface::makeSphere(sizes[0], sizes[1], sizes[2], columns, rows);
+  const study::TomlReader section(table, std::string(shape), "");
+  const study::SurfaceSection read = study::readSurfaceSection(section);
+  section.finish();
+  return study::cageOf(read, section, {});
+}
+
+void requireFew(double samples, const char* what) {
+  if (samples <= mostSamples) return;
+  throw InputError(
+      fmt::format("{}: {} samples found, at most {} expected", what, samples, mostSamples));
 }
 
 surface::SampleGrid atlasGrid(const surface::LimitSurface& surface, int side) {
-  if (side < 1 || !(static_cast<double>(side) * side * surface.faceCount() <= mostSamples)) {
-    throw InputError(
-        fmt::format("side: {} found, at least 1 and at most {} samples on {} faces "
-                    "expected",
-                    side, mostSamples, surface.faceCount()));
-  }
+  study::ViewKind kind = study::AtlasSpec{};
+  study::readValues(toml::table{{"samples", side}}, "atlas", study::keysOf(kind));
+  requireFew(static_cast<double>(side) * side * surface.faceCount(), "atlas: samples");
   const render::RenderView view = render::atlasView(surface, side);
   surface::SampleGrid grid{view.width, view.height, {}};
   const auto middle = [side](int index) {
@@ -115,30 +134,17 @@ SurfaceSamples samplesOf(const surface::SampleGrid& grid, std::vector<double> we
   return samples;
 }
 
-Vec3 vectorOf(const std::array<double, 3>& numbers) {
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
 Camera cameraOf(const PinholeCamera& camera) {
-  const auto isSide = [](int pixels) { return pixels >= 1 && pixels <= mostPixelsASide; };
-  if (!isSide(camera.width) || !isSide(camera.height) ||
-      !(static_cast<double>(camera.width) * camera.height <= mostSamples)) {
-    throw InputError(fmt::format("camera: {} × {} pixels found, sides of 1 to {} expected",
-                                 camera.width, camera.height, mostPixelsASide));
-  }
-  if (!(camera.verticalFov > 0 && camera.verticalFov < pi)) {
-    throw InputError(
-        fmt::format("camera: verticalFov {} found, 0 to π expected", camera.verticalFov));
-  }
-  for (const auto* vector : {&camera.eye, &camera.target, &camera.up}) {
-    for (const double number : *vector) {
-      if (std::isfinite(number)) continue;
-      throw InputError(fmt::format("camera: {} found, a finite number expected", number));
-    }
-  }
-  return {vectorOf(camera.eye), vectorOf(camera.target),
-          vectorOf(camera.up),  camera.verticalFov,
-          camera.width,         camera.height};
+  study::ViewKind kind = Camera{};
+  study::readValues(toml::table{{"eye", arrayOf(camera.eye)},
+                                {"target", arrayOf(camera.target)},
+                                {"up", arrayOf(camera.up)},
+                                {"fov", camera.fov},
+                                {"width", camera.width},
+                                {"height", camera.height}},
+                    "camera", study::keysOf(kind));
+  requireFew(static_cast<double>(camera.width) * camera.height, "camera");
+  return std::get<Camera>(kind);
 }
 
 }  // namespace
@@ -155,15 +161,15 @@ Surface readSurface(const std::filesystem::path& file, bool triangles) {
   return translated([&] { return surfaceOf(surface::readMeshFile(file, schemeOf(triangles))); });
 }
 
-Surface makeShape(std::string_view shape, const std::vector<double>& sizes, int columns, int rows) {
-  return translated([&] { return surfaceOf(shapeOf(shape, sizes, columns, rows)); });
+Surface makeShape(std::string_view shape, const ShapeKeys& keys) {
+  return translated([&] { return surfaceOf(shapeOf(shape, keys)); });
 }
 
-SurfaceSamples atlasSamples(const Surface& surface, int side) {
+SurfaceSamples atlasSamples(const Surface& surface, int samples) {
   return translated([&] {
     const surface::LimitSurface& limit = surface.data().limit;
-    const surface::SampleGrid grid = atlasGrid(limit, side);
-    return samplesOf(grid, surface::sampleAreas(limit, grid, side));
+    const surface::SampleGrid grid = atlasGrid(limit, samples);
+    return samplesOf(grid, surface::sampleAreas(limit, grid, samples));
   });
 }
 
@@ -171,6 +177,8 @@ SurfaceSamples cameraSamples(const Surface& surface, const PinholeCamera& camera
                              int subdivisions) {
   return translated([&] {
     const Camera checked = cameraOf(camera);
+    study::BaseSpec base;
+    study::readValues(toml::table{{"subdivisions", subdivisions}}, "camera", study::keysOf(base));
     // The samples do not depend on the map.
     const surface::BaseMesh mesh =
         surface::makeBaseMesh(surface.data().limit, Vec2(1), subdivisions);

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -45,17 +47,23 @@ GNOMON_API Surface makeSurface(const ControlMesh& mesh);
 /// @throws Exception  badInput naming the file and what is wrong in it
 GNOMON_API Surface readSurface(const std::filesystem::path& file, bool triangles = false);
 
-/// A built-in shape of `columns` × `rows` faces, uv from 0 to 1 over the whole of it.
-/// @param shape  with its sizes, in world units and radians:
-///   "plane"     {width, height}, in z = 0
-///   "cylinder"  {radius, longitude span, height}, about the y axis
-///   "sphere"    {radius, longitude span, latitude span}: a patch whose middle faces +z; a negative
-///               radius makes its inside
-///   "torus"     {radius of the circle, radius of the tube}, about the y axis
-/// @param columns, rows  1 to 4096; faces of arcs span less than 0.11 radians
-/// @throws Exception  badInput for another name, number of sizes, or a value out of range
-GNOMON_API Surface makeShape(std::string_view shape, const std::vector<double>& sizes, int columns,
-                             int rows);
+/// The keys of a built-in shape with their numbers, as `[surface]` of a study has them
+/// (docs/study-keys.md): `{{"quads", {20, 20}}, {"curvature", {0.015}}, {"size", {128, 128}}}`.
+/// Points stand one after the other, three numbers each.
+using ShapeKeys = std::map<std::string, std::vector<double>>;
+
+/// A built-in shape, uv from 0 to 1 over the whole of it. Its keys, lengths in world units:
+///   "plane"     quads, size, in z = 0
+///   "cylinder"  quads, curvature, size, about the y axis
+///   "sphere"    quads, curvature, size: a patch whose middle faces +z; a negative curvature makes
+///               its inside
+///   "torus"     quads, major, minor, about the y axis
+///   "bezier"    quads, points: 16 of them, row by row
+///   "b-spline"  points, columns
+/// `quads` are faces along u and along v, 1 to 4096, of arcs less than 0.11 radians each; `size`
+/// the arc lengths along u and v; `curvature` 1 / world units.
+/// @throws Exception  badInput for another name or key, or a value out of range
+GNOMON_API Surface makeShape(std::string_view shape, const ShapeKeys& keys);
 
 /// A point of the undisplaced limit surface.
 struct SurfacePlace {
@@ -71,23 +79,24 @@ struct SurfaceSamples {
   std::vector<double> weights;       ///< world area of each; empty where all count alike
 };
 
-/// A regular grid of `side` × `side` points in every face, each weighted by its area. A face is a
-/// square tile of the picture, t upward. Independent of any camera.
-/// @throws Exception  badInput for a side below 1 or a picture of more than 2²⁷ samples
-GNOMON_API SurfaceSamples atlasSamples(const Surface& surface, int side);
+/// A regular grid of `samples` × `samples` points in every face, each weighted by its area. A face
+/// is a square tile of the picture, t upward. Independent of any camera.
+/// @throws Exception  badInput for `samples` out of 1 to 4096, or over 2²⁷ of them in all
+GNOMON_API SurfaceSamples atlasSamples(const Surface& surface, int samples);
 
 /// A pinhole camera.
 struct PinholeCamera {
   std::array<double, 3> eye{0, 0, 1};     ///< world
   std::array<double, 3> target{0, 0, 0};  ///< world
   std::array<double, 3> up{0, 1, 0};
-  double verticalFov = 0.5;       ///< full angle, radians, between 0 and π
+  double fov = 30;                ///< full vertical angle, degrees, 0.1 to 170
   int width = 512, height = 512;  ///< pixels, 1 to 16384
 };
 
 /// The surface point that each pixel of a camera shows, rasterised by OpenGL with `subdivisions` ×
 /// `subdivisions` quadrilaterals a face. Faces turned from the camera show nothing. The caller's
 /// own OpenGL context is not touched.
+/// @param subdivisions  1 to 1024
 /// @throws Exception  badInput for a camera out of range; noOpenGl
 GNOMON_API SurfaceSamples cameraSamples(const Surface& surface, const PinholeCamera& camera,
                                         int subdivisions = 1);

@@ -7,13 +7,19 @@
 #include <utility>
 
 #include "api/inner/height_field_of.h"
+#include "api/inner/mask_bytes.h"
 #include "api/inner/surface_data.h"
 #include "api/inner/translated.h"
 #include "common/error.h"
 #include "common/progress.h"
 #include "horizon/search_radius.h"
+#include "horizon/texel_scale.h"
 #include "relief/patch_border.h"
 #include "relief/relief.h"
+#include "study/spec/sections/bake_section.h"
+#include "study/spec/sections/light_section.h"
+#include "study/spec/sections/relief_section.h"
+#include "study/spec/sections/truth_section.h"
 #include "truth/cast_shadows.h"
 #include "truth/disc_directions.h"
 #include "truth/micro_mesh.h"
@@ -25,23 +31,32 @@ namespace gnomon {
 inline namespace api {
 namespace {
 
-static_assert(static_cast<int>(Shade::shadowed) == 1 && static_cast<int>(Shade::none) == 2);
 static_assert(static_cast<int>(truth::Region::beyondTerminator) ==
               static_cast<int>(ShadowRegion::beyondTerminator));
 static_assert(static_cast<int>(truth::Region::global) == static_cast<int>(ShadowRegion::global));
 
+/// The declaration of one key, which holds its range.
+study::StudyKeys keyOf(const study::StudyKeys& keys, std::string_view name) {
+  const auto found = std::find_if(keys.begin(), keys.end(),
+                                  [&](const study::StudyKey& key) { return key.name == name; });
+  return {*found};
+}
+
 relief::Relief reliefOf(const Surface::Data& surface, const Displacement& displacement) {
-  const Vec2 repeats(displacement.repeats[0], displacement.repeats[1]);
-  if (!(repeats.x > 0 && repeats.y > 0 && std::isfinite(repeats.x + repeats.y))) {
-    throw InputError(
-        fmt::format("repeats: [{}, {}] found, above 0 expected", repeats.x, repeats.y));
-  }
+  study::ReliefSection section;
+  study::readValues(
+      toml::table{{"repeats", toml::array{displacement.repeats[0], displacement.repeats[1]}}},
+      "trace", keyOf(study::keysOf(section), "repeats"));
   relief::HeightField field = heightFieldOf(displacement.map);
   const relief::Border border =
-      relief::borderOf(surface.cage, surface.limit, field.wrap(), repeats);
-  return {std::move(field).withBorder(border),
-          displacement.heightsInTexels ? relief::HeightSpace::texture : relief::HeightSpace::world,
-          repeats};
+      relief::borderOf(surface.cage, surface.limit, field.wrap(), section.repeats);
+  relief::Relief relief{
+      std::move(field).withBorder(border),
+      displacement.heightsInTexels ? relief::HeightSpace::texture : relief::HeightSpace::world,
+      section.repeats};
+  // Refuses what floats cannot hold.
+  (void)horizon::texelScale(surface.limit, relief.texelsPerUv());
+  return relief;
 }
 
 surface::SampleGrid gridOf(const SurfaceSamples& samples, int faces) {
@@ -81,27 +96,42 @@ std::vector<Vec3> unitVectors(const std::vector<std::array<double, 3>>& lights) 
   return directions;
 }
 
-/// The radius of each light's disc.
+/// The radius of each light's disc, radians.
 std::vector<double> discsOf(const TraceOptions& options, std::size_t lights) {
-  constexpr double most = std::numbers::pi / 18;
-  if (options.discs.empty()) return std::vector<double>(lights, 0.0);
-  if (options.discs.size() != lights) {
-    throw InputError(fmt::format("discs: {} found, one for each of {} lights expected",
-                                 options.discs.size(), lights));
+  std::vector<double> discs(lights, 0.0);
+  if (options.lightRadii.empty()) return discs;
+  if (options.lightRadii.size() != lights) {
+    throw InputError(fmt::format("light radii: {} found, one for each of {} lights expected",
+                                 options.lightRadii.size(), lights));
   }
-  for (const double disc : options.discs) {
-    if (!(disc >= 0 && disc <= most)) {
-      throw InputError(
-          fmt::format("discs: {} found, a radius from 0 to π/18 (10 degrees) expected", disc));
-    }
+  study::LightSection light;
+  const study::StudyKeys key = keyOf(study::keysOf(light), "radius");
+  for (std::size_t i = 0; i < lights; ++i) {
+    study::readValues(toml::table{{"radius", options.lightRadii[i]}}, fmt::format("light {}", i),
+                      key);
+    discs[i] = radians(options.lightRadii[i]);
   }
-  return options.discs;
+  return discs;
 }
 
-void requireDirections(int directions) {
-  if (directions >= 32 && directions <= 65536 && directions % 2 == 0) return;
+/// The settings of the truth, of which the step and the directions are the caller's.
+study::TruthSpec settingsOf(const TraceOptions& options) {
+  study::TruthSpec settings;
+  toml::table values{{"directions", options.directions}};
+  if (options.step) values.insert("step", *options.step);
+  study::readValues(values, "trace", study::keysOf(settings, 1));
+  if (settings.directions % 2 == 0) return settings;
   throw InputError(
-      fmt::format("directions: {} found, an even number from 32 to 65536 expected", directions));
+      fmt::format("trace: directions: {} found, an even number expected", settings.directions));
+}
+
+/// D, texels.
+double radiusOf(const TraceOptions& options, const surface::LimitSurface& surface,
+                const relief::Relief& relief, const std::vector<Vec3>& lights) {
+  if (!options.radius) return horizon::searchRadius(surface, relief, lights).texels;
+  study::BakeSpec bake;
+  study::readValues(toml::table{{"radius", *options.radius}}, "trace", study::keysOf(bake, 1));
+  return bake.settings.radiusTexels;
 }
 
 /// What every trace of one call shares.
@@ -126,9 +156,7 @@ Progress partOf(const Progress& whole, double begin, double end) {
   return [&whole, begin, end](double share) { whole(begin + share * (end - begin)); };
 }
 
-Traced trace(const Task& task, std::optional<double> step, const Progress& progress) {
-  truth::MicroMeshSettings settings;
-  settings.stepTexels = step;
+Traced trace(const Task& task, const truth::MicroMeshSettings& settings, const Progress& progress) {
   const truth::MicroMesh mesh(task.surface, task.relief, settings, partOf(progress, 0, 0.2));
   const truth::MicroScene scene(mesh, partOf(progress, 0.2, 0.4));
   Traced traced{truth::traceShadows(task.surface, task.relief, mesh, scene, task.samples,
@@ -158,7 +186,9 @@ std::vector<truth::Truth> traceCoarser(Task task, const Traced& fine, const Prog
   for (truth::TraceSettings& light : task.lights) light.rayOffset = truth::standardRayOffset / 2;
   task.directions /= 2;
   task.radiusTexels.reset();
-  Traced coarse = trace(task, 2 * fine.step, progress);
+  truth::MicroMeshSettings settings;
+  settings.stepTexels = 2 * fine.step;
+  Traced coarse = trace(task, settings, progress);
   if (2 * coarse.triangles > fine.triangles) {
     throw InputError(
         fmt::format(
@@ -174,7 +204,7 @@ ShadowTruth shadowTruthOf(const truth::Truth& truth, const truth::Truth& coarse)
       truth.mask.width,       truth.mask.height, {}, {}, truth::uncertaintyOf(truth, coarse),
       truth.visibility.shares};
   for (const Shade shade : truth.mask.samples) {
-    result.mask.push_back(static_cast<std::uint8_t>(shade));
+    result.mask.push_back(byteOf(shade));
   }
   for (const truth::Region region : truth.regions) {
     result.regions.push_back(static_cast<std::uint8_t>(region));
@@ -192,22 +222,18 @@ std::vector<ShadowTruth> traceTruth(const Surface& surface, const Displacement& 
     const Progress progress = tell;
     const Surface::Data& data = surface.data();
     const std::vector<Vec3> directions = unitVectors(lights);
-    requireDirections(options.directions);
+    const study::TruthSpec settings = settingsOf(options);
     Task task{
         data.limit, reliefOf(data, displacement),        gridOf(samples, data.limit.faceCount()),
-        {},         discsOf(options, directions.size()), options.directions,
+        {},         discsOf(options, directions.size()), settings.directions,
         {}};
     std::vector<Vec3> lowest;
     for (std::size_t i = 0; i < directions.size(); ++i) {
       lowest.push_back(truth::lowestOfDisc(directions[i], task.discs[i]));
     }
-    const double radius = options.radius
-                              ? *options.radius
-                              : horizon::searchRadius(data.limit, task.relief, lowest).texels;
-    if (!(radius > 0)) throw InputError(fmt::format("radius: {} found, above 0 expected", radius));
-    task.radiusTexels = radius;
+    task.radiusTexels = radiusOf(options, data.limit, task.relief, lowest);
     for (const Vec3& direction : directions) task.lights.push_back({direction});
-    const Traced fine = trace(task, options.step, partOf(progress, 0, 0.8));
+    const Traced fine = trace(task, settings.ofMesh(), partOf(progress, 0, 0.8));
     const std::vector<truth::Truth> coarse =
         traceCoarser(std::move(task), fine, partOf(progress, 0.8, 1));
     std::vector<ShadowTruth> truths;

@@ -35,11 +35,11 @@ struct TraceOptions {
   /// Longest edge of the traced mesh, texels; where unset, a quarter texel or less, for at least
   /// four million triangles.
   std::optional<double> step;
-  /// Occluders farther than this along the surface are `distant`, texels; where unset, the longest
-  /// shadow that the lights can cast.
+  /// Occluders farther than this along the surface are `distant`, texels, above 0 and at most 1e5;
+  /// where unset, the longest shadow that the lights can cast.
   std::optional<double> radius;
-  /// Angular radius of each light's disc, radians, 0 to π/18; 0 is a point. Empty: all are points.
-  std::vector<double> discs = {};
+  /// Angular radius of each light's disc, degrees, 0 to 10; 0 is a point. Empty: all are points.
+  std::vector<double> lightRadii = {};
   int directions = 256;  ///< toward a disc, each for an equal solid angle: even, 32 to 65536
   /// Told what share is done, 0 to 1, from any thread but never from two at once. What it throws
   /// cancels the trace and comes out of `traceTruth`.
@@ -49,7 +49,7 @@ struct TraceOptions {
 /// The exact shadow of a displaced surface under one light.
 struct ShadowTruth {
   int width = 0, height = 0;
-  /// As in MaskView: 0 lit, 1 shadowed, 2 no answer. Of a disc: shadowed where V < 1/2.
+  /// As in MaskView: 1 lit, 0 shadowed, 2 no answer. Of a disc: shadowed where V < 1/2.
   std::vector<std::uint8_t> mask;
   std::vector<std::uint8_t> regions;  ///< a ShadowRegion for each sample; of the disc's centre
   /// Share of the samples that change at half the mesh's resolution: no difference between methods
@@ -64,8 +64,9 @@ struct ShadowTruth {
 /// threads.
 /// @param lights  vectors toward directional lights, of any length
 /// @return one truth for each light
-/// @throws Exception  badInput for a height map, sample, light, disc or step out of range, and for
-///   another number of discs than of lights; internal where the mesh does not fit into memory
+/// @throws Exception  badInput for a height map, sample, light, radius or step out of range, and
+/// for
+///   another number of radii than of lights; internal where the mesh does not fit into memory
 GNOMON_API std::vector<ShadowTruth> traceTruth(const Surface& surface,
                                                const Displacement& displacement,
                                                const SurfaceSamples& samples,

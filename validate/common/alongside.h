@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/cancellation.h"
+
 #if defined(__SANITIZE_THREAD__)
 #include <future>
 #else
@@ -29,6 +31,7 @@ void alongside(const Here& here, const There& there) {
     throw;
   }
   other.wait();
+  throwIfCancelled();  // then `there` may have been left out
 #endif
 }
 

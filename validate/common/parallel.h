@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "common/cancellation.h"
+
 #if defined(__SANITIZE_THREAD__)
 #include <array>
 #include <atomic>
@@ -26,6 +28,7 @@ inline std::size_t threadCount() {
 /// must write only to what belongs to its i: results then do not depend on the thread count. If one
 /// throws, those not begun may be left out, and the exception (of several, any) leaves this call.
 /// @param grain  indices a thread takes at once
+/// @throws Cancelled where a Cancellation ends the work that this is part of
 template <typename Body>
 void parallelFor(std::size_t begin, std::size_t end, const Body& body, std::size_t grain = 1) {
 #if defined(__SANITIZE_THREAD__)
@@ -54,6 +57,7 @@ void parallelFor(std::size_t begin, std::size_t end, const Body& body, std::size
                     [&body](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
                     });
+  throwIfCancelled();  // then TBB has left bodies out, without a word
 #endif
 }
 

@@ -84,9 +84,29 @@ ComparedMasks commonPixels(const Visibility& candidate, const Visibility& truth,
   return masks;
 }
 
-Counts countsOf(const ComparedMasks& masks) {
-  return masks.truthShares.size() > 0 ? countSamples(masks.candidateShares, masks.truthShares)
-                                      : countSamples(masks.candidate, masks.truth);
+Counts countsOf(const ComparedMasks& masks, std::span<const double> weights) {
+  return masks.truthShares.size() > 0
+             ? countSamples(masks.candidateShares, masks.truthShares, weights)
+             : countSamples(masks.candidate, masks.truth, weights);
+}
+
+std::optional<std::string> invertedNotice(const ComparedMasks& masks,
+                                          std::span<const double> weights) {
+  constexpr double nearlyAll = 0.95;
+  const auto errorOf = [&](const ComparedMasks& pair) {
+    return rate(countsOf(pair, weights), "error_rate").value.value_or(0);
+  };
+  const double error = errorOf(masks);
+  if (!(error >= nearlyAll)) return std::nullopt;
+  ComparedMasks complement = masks;
+  for (Shade& shade : complement.candidate.samples) {
+    if (isAnswer(shade)) shade = shade == Shade::lit ? Shade::shadowed : Shade::lit;
+  }
+  for (float& share : complement.candidateShares.shares) share = 1 - share;
+  return fmt::format(
+      "{:.3g} % of the samples are wrong, and the complement would be {:.3g} % wrong: is one of "
+      "them inverted?",
+      100 * error, 100 * errorOf(complement));
 }
 
 std::vector<Metric> maskMetrics(const ComparedMasks& masks) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,8 +35,16 @@ ComparedMasks commonPixels(Mask candidate, Mask truth, const Mask* roi);
 /// The same of two maps of visibility; the masks are what they are cut to.
 ComparedMasks commonPixels(const Visibility& candidate, const Visibility& truth, const Mask* roi);
 
-/// The counts of the masks, or of the shares where there are any; every pixel counts alike.
-Counts countsOf(const ComparedMasks& masks);
+/// The counts of the masks, or of the shares where there are any.
+/// @param weights  one a sample, or empty for 1 each
+Counts countsOf(const ComparedMasks& masks, std::span<const double> weights = {});
+
+/// A notice that one of the two seems inverted: 95 % of the samples or more are wrong, and how many
+/// would be if the candidate were its complement, "99.6 % of the samples are wrong, and the
+/// complement would be 0.4 % wrong: is one of them inverted?".
+/// @param weights  one a sample, or empty for 1 each
+std::optional<std::string> invertedNotice(const ComparedMasks& masks,
+                                          std::span<const double> weights = {});
 
 /// All metrics that two masks alone give: their rates, every pixel counted alike, then their
 /// boundaries, in pixels.

@@ -145,6 +145,7 @@ SearchRadius searchRadius(const surface::LimitSurface& surface, const relief::Re
         Face(surface, static_cast<int>(face), side).forEach([&](const surface::LimitPoint& point) {
           const surface::TexelFrame frame = surface::texelFrame(point, relief.texelsPerUv());
           if (!frame.defined) return;
+          throwIfCancelled();
           for (std::size_t l = 0; l < lights.size(); ++l) {
             SearchRadius radius = radiusAt(point, frame, relief, lights[l], farthest);
             radius.light = l;

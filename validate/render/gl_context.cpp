@@ -22,11 +22,12 @@ struct GlContext::Egl {
   Egl& operator=(const Egl&) = delete;
   ~Egl() { close(); }
 
+  /// The display stays initialised: EGL has one of a platform for the whole process, counts nobody,
+  /// and would take it from the contexts of all other threads too.
   void close() {
     if (display == EGL_NO_DISPLAY) return;
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-    eglTerminate(display);
     display = EGL_NO_DISPLAY;
     context = EGL_NO_CONTEXT;
   }

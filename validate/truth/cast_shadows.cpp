@@ -57,6 +57,7 @@ void splitCastShadows(const surface::LimitSurface& surface, const relief::Relief
     const FlushDenormals flush;
     SamplePlacer placer(surface, relief.texelsPerUv(), mesh);
     for (std::size_t i = p * piece; i < std::min(count, (p + 1) * piece); ++i) {
+      throwIfCancelled();
       const auto isCast = [&](const Truth& truth) { return truth.regions[i] == Region::cast; };
       if (std::none_of(truths.begin(), truths.end(), isCast)) continue;
       const surface::SurfaceSample& sample = samples.samples[i];

@@ -143,6 +143,7 @@ std::vector<Truth> traceShadows(const surface::LimitSurface& surface, const reli
     undefined += placeSamples(placer, std::span(samples.samples).subspan(first, count), starts);
     const Band band{starts, static_cast<std::size_t>(samples.width), first};
     for (std::size_t l = 0; l < lights.size(); ++l) {
+      throwIfCancelled();
       BandTracer(scene, mesh.extent(), lights[l], band, truths[l]).trace();
     }
   });

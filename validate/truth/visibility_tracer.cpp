@@ -24,6 +24,7 @@ class SeenCounter {
 
   /// @param seen  grows by the number, by the next `finish` at the latest; must live till then
   void add(const Facet& facet, std::span<const Vec3> directions, std::size_t& seen) {
+    throwIfCancelled();
     const Vec3 origin = facet.rayOrigin(rayOffset_);
     for (const Vec3& direction : directions) {
       if (facet.facesAwayFrom(direction)) continue;

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <chrono>
 #include <exception>
 #include <functional>
 #include <future>
+#include <optional>
 #include <utility>
 
+#include "common/cancellation.h"
 #include "gnomon/exception.h"
 
 namespace gnomon {
@@ -13,10 +16,16 @@ inline namespace api {
 /// Throws the exception that is being handled as an Exception.
 [[noreturn]] void throwTranslated();
 
+/// A child that was forked after the first call of the library has none of its threads, for which
+/// loops and image formats would wait for ever.
+/// @throws Exception  internal, in such a child
+void requireOwnProcess();
+
 /// Does the work of a public function; whatever it throws leaves as an Exception.
 template <typename Work>
 auto translated(const Work& work) -> decltype(work()) {
   try {
+    requireOwnProcess();
     return work();
   } catch (...) {
     throwTranslated();
@@ -48,10 +57,17 @@ auto watched(const Watcher& watcher, const Work& work) {
 }
 
 /// Does work that makes an OpenGL context current on a thread of its own, so that the caller's
-/// stays as it is, and waits for it.
+/// stays as it is, and waits for it. What ends the work of this thread ends that, too.
 template <typename Work>
 auto onOwnThread(const Work& work) -> decltype(work()) {
-  return std::async(std::launch::async, std::cref(work)).get();
+  Cancellation ours;
+  std::optional<decltype(work())> result;
+  auto done = std::async(std::launch::async, [&] { ours.run([&] { result.emplace(work()); }); });
+  while (done.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
+    if (isCancelled()) ours.cancel();
+  }
+  done.get();
+  return std::move(*result);
 }
 
 }  // namespace api

@@ -234,6 +234,9 @@ Compared compareTwo(const Comparing& with, const fs::path& candidateFile,
   comparison.confidence = compare::maskConfidence({&masks, 1});
   comparison.uncertainty =
       with.uncertainty ? with.uncertainty : exporting::exportedUncertainty(truthFile);
+  if (auto notice = compare::invertedNotice(masks)) {
+    comparison.notices.push_back(std::move(*notice));
+  }
   comparison.judgements = judged(with.gates, truth.mask, comparison.metrics);
   return {std::move(comparison), std::move(masks)};
 }

@@ -140,6 +140,7 @@ Json jsonComparison(const MaskComparison& c) {
   addMetrics(json, c.metrics);
   json["confidence"] = jsonConfidence(c.confidence);
   json["uncertainty"] = jsonNumber(c.uncertainty, "uncertainty");
+  json["notices"] = c.notices;
   json["gates"] = jsonList(c.judgements, jsonJudgement);
   return json;
 }
@@ -172,6 +173,7 @@ std::string maskComparisonTable(const MaskComparison& c, bool colours) {
   page.paragraph(fileLine("Truth", c.truth));
   page.paragraph(pixelsLine(c));
   page.paragraph(countsLine(c.counts));
+  page.notices(c.notices);
   page.blank();
   appendTable(page, metricsFound(c.metrics));
   page.blank();

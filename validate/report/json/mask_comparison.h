@@ -37,6 +37,7 @@ struct MaskComparison {
   std::vector<compare::Metric> metrics = {};
   compare::ConfidenceInterval confidence = {};    ///< of the error rate
   std::optional<double> uncertainty = {};         ///< of the truth, a share; none where unknown
+  std::vector<std::string> notices = {};          ///< what to look at before the figures
   std::vector<study::Judgement> judgements = {};  ///< of the command's options
 
   /// True unless a gate failed.
@@ -44,7 +45,7 @@ struct MaskComparison {
 };
 
 /// candidate, truth, roi, width, height, what was left out, samples, tp, fp, fn, tn, the metrics,
-/// confidence, uncertainty, gates.
+/// confidence, uncertainty, notices, gates.
 Json jsonComparison(const MaskComparison& comparison);
 /// samples, tp, fp, fn, tn.
 void addCounts(Json& json, const compare::Counts& counts);

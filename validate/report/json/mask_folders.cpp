@@ -38,6 +38,15 @@ Table pairsTable(const MaskFolders& folders) {
   return table;
 }
 
+/// The notices of all pairs, each with its name.
+std::vector<std::string> noticesOf(const MaskFolders& folders) {
+  std::vector<std::string> notices;
+  for (const auto& [name, c] : folders.pairs) {
+    for (const std::string& notice : c.notices) notices.push_back(name + ": " + notice);
+  }
+  return notices;
+}
+
 Json pairJson(const MaskPair& pair) {
   Json json = {{"name", pair.name}};
   json.update(jsonComparison(pair.comparison));
@@ -91,6 +100,7 @@ std::string maskFoldersTable(const MaskFolders& folders, bool colours) {
   page.paragraph(
       "Percent of the pixels. Shadow, light: what is falsely shadowed, falsely lit. 95 %: the "
       "interval of the error. Truth ±: its uncertainty; smaller errors mean nothing.");
+  page.notices(noticesOf(folders));
   page.blank();
   appendTable(page, pairsTable(folders));
   page.blank();

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "compare/mask_checks.h"
+#include "compare/mask_metrics.h"
 #include "surface/closed_surface.h"
 #include "surface/face_texels.h"
 
@@ -123,6 +125,33 @@ std::string givenNotice(const std::string& method) {
       method);
 }
 
+std::optional<std::string> invertedMasksNotice(const StudySpec& study, const MethodCase& method) {
+  std::optional<std::string> first;
+  std::size_t more = 0;
+  for (std::size_t v = 0; v < study.views.size(); ++v) {
+    const ViewCase& view = method.base->views[v];
+    for (std::size_t l = 0; l < study.lights.size(); ++l) {
+      const GivenMask& given = maskOf(method.given, study, v, l);
+      const truth::Truth& truth = view.truths[l];
+      const Mask cut = truth.isSoft() ? cutInHalf(given.shares) : given.mask;
+      if (!compare::answersAllOf(truth.mask, cut)) continue;  // is refused where it is measured
+      auto notice = compare::invertedNotice(
+          truth.isSoft() ? compare::commonPixels(given.shares, truth.visibility, nullptr)
+                         : compare::commonPixels(given.mask, truth.mask, nullptr),
+          view.weights);
+      if (!notice) continue;
+      if (first) {
+        ++more;
+      } else {
+        first =
+            fmt::format("{}: {}: {}", method.spec->label, given.path.filename().string(), *notice);
+      }
+    }
+  }
+  if (more > 0) *first += fmt::format(" {} more of its masks are so.", more);
+  return first;
+}
+
 std::optional<std::string> softNotice(const StudySpec& study) {
   const auto isSoft = [](const LightSpec& light) { return light.isSoft(); };
   const auto first = std::find_if(study.lights.begin(), study.lights.end(), isSoft);
@@ -163,7 +192,10 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
   std::map<int, std::vector<std::string>> ofPieces;  // labels by the pieces of their mesh
   std::optional<double> longestEdge;
   for (const MethodCase& method : methods) {
-    if (method.isGiven()) given.push_back(method.spec->label);
+    if (method.isGiven()) {
+      given.push_back(method.spec->label);
+      add(invertedMasksNotice(scene.study, method));
+    }
     add(cameraNotice(scene.study, method.spec->label, method.method));
     const MeshChoice& mesh = method.base->choice;
     if (mesh.kind != render::DrawnMesh::displaced) continue;

@@ -45,6 +45,10 @@ std::optional<std::string> otherChartNotice(std::span<const MethodRecord> method
 /// @param method  as above
 std::string givenNotice(const std::string& method);
 
+/// A notice that masks of another program seem inverted, of the first of them, see
+/// compare::invertedNotice.
+std::optional<std::string> invertedMasksNotice(const StudySpec& study, const MethodCase& method);
+
 /// A notice of what is measured under lights with discs, where the study has any.
 std::optional<std::string> softNotice(const StudySpec& study);
 

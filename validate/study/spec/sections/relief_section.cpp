@@ -55,14 +55,6 @@ void requireOneRepeat(const TomlReader& section, const ReliefSection& relief) {
                "expected");
 }
 
-/// Heights as far as `height` may go, which is that of the value 1: floats may have others.
-void requireHeights(const TomlReader& section, const relief::HeightField& field) {
-  constexpr double highest = 1e6;
-  if (field.minimum() >= -highest && field.maximum() <= highest) return;
-  section.fail("height", fmt::format("heights from {:g} to {:g} found, {:g} to {:g} expected",
-                                     field.minimum(), field.maximum(), -highest, highest));
-}
-
 }  // namespace
 
 ReliefSection readReliefSection(const TomlReader& section) {
@@ -123,6 +115,12 @@ toml::table tableOf(ReliefSection relief) {
   return table;
 }
 
+std::optional<std::string> heightsFault(const relief::HeightField& field) {
+  if (field.minimum() >= -highestRelief && field.maximum() <= highestRelief) return std::nullopt;
+  return fmt::format("heights from {:g} to {:g} found, {:g} to {:g} expected", field.minimum(),
+                     field.maximum(), -highestRelief, highestRelief);
+}
+
 relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
                         const std::filesystem::path& folder, const surface::Cage& cage) {
   const auto imageAt = [&](const ImageMap& image, double height) {
@@ -145,7 +143,7 @@ relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
                  [&](const ImageMap& map) { return imageAt(map, relief.height); }},
       relief.map);
   if (relief.isInverted) field = relief::inverted(field, relief.height);
-  requireHeights(section, field);
+  if (const auto fault = heightsFault(field)) section.fail("height", *fault);
   const int resample = relief.resample;
   // Where heights count texels, there are now more of them in the same height.
   const double scale = relief.space == relief::HeightSpace::texture ? resample : 1;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -24,6 +25,8 @@ using Pattern =
                  relief::RipplesPattern, relief::SpectrumPattern, relief::ScratchesPattern>;
 constexpr std::array<std::string_view, 6> patternNames = {"columns", "cosine",   "cells",
                                                           "ripples", "spectrum", "scratches"};
+/// The largest height, and the deepest, that a relief may have, in its own units.
+constexpr double highestRelief = 1e6;
 constexpr std::array<std::string_view, 3> solidNames = {"noise", "cells", "ripples"};
 
 struct PatternMap {
@@ -174,7 +177,7 @@ inline StudyKeys keysOf(ReliefSection& relief) {
       {relief::HeightSpace::world, "world"}, {relief::HeightSpace::texture, "texture"}};
   return {
       studyKey("height", numbers(relief.height), "of the value 1, in units of `height_space`",
-               {-1e6, 1e6}, required),
+               {-highestRelief, highestRelief}, required),
       studyKey("wrap", chosenName(relief.wrap, wraps), "what lies past the map's sides"),
       studyKey("height_space", chosenName(relief.space, spaces),
                "world units, or texels (Max 1988)", {}, required),
@@ -208,6 +211,9 @@ ReliefSection readReliefSection(const TomlReader& section);
 
 /// The section as a table of the file.
 toml::table tableOf(ReliefSection relief);
+
+/// What is wrong with the heights of a map, if they go beyond what `height` may be: floats may.
+std::optional<std::string> heightsFault(const relief::HeightField& field);
 
 /// The relief that the section asks for.
 /// @param section  for messages

@@ -160,6 +160,18 @@ void readSection(const TomlReader& section, const StudyKeys& keys) {
   readKeys(section, keys);
 }
 
+void readValues(const toml::table& values, const std::string& name, const StudyKeys& keys) {
+  const TomlReader section(values, name, "");
+  section.allow(namesOf(keys));
+  for (const StudyKey& key : keys) {
+    try {
+      readKeys(section, {key});
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{} ({})", error.what(), key.meaning));
+    }
+  }
+}
+
 toml::table tableOf(const StudyKeys& keys) {
   toml::table table;
   for (const StudyKey& key : keys) write(table, key);

@@ -146,6 +146,12 @@ void readKeys(const TomlReader& section, const StudyKeys& keys);
 /// Reads a table that has these keys and no others.
 void readSection(const TomlReader& section, const StudyKeys& keys);
 
+/// Reads values that stand in no file, under the ranges that they have in a study: arguments of the
+/// library. All keys must be known; a message ends with what its key means, and so with its unit.
+/// @param name  of the whole, for messages: "camera: fov: 200 found, …"
+/// @throws InputError as TomlReader
+void readValues(const toml::table& values, const std::string& name, const StudyKeys& keys);
+
 /// The values as a table of the file; unset optional numbers, usual values of `Unusual` and values
 /// of `OwnCode` are not in it.
 toml::table tableOf(const StudyKeys& keys);

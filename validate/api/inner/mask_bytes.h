@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "common/mask.h"
+
+namespace gnomon {
+inline namespace api {
+
+/// A mask's bytes are those of its shares, V: 1 lit, 0 shadowed; and 2 where there is no answer.
+inline std::uint8_t byteOf(Shade shade) {
+  return shade == Shade::lit ? 1 : shade == Shade::shadowed ? 0 : 2;
+}
+
+/// None for a byte that is no answer and not 2 either.
+inline std::optional<Shade> shadeOf(std::uint8_t byte) {
+  if (byte > 2) return std::nullopt;
+  return byte == 1 ? Shade::lit : byte == 0 ? Shade::shadowed : Shade::none;
+}
+
+}  // namespace api
+}  // namespace gnomon
