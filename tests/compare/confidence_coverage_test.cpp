@@ -194,58 +194,66 @@ constexpr std::array<Pair, 8> pairKinds = {
      {"near a terminator", 1.5, [](double x) { return 0.4 * std::exp((x - 1) / 0.03); }, 1, 90},
      {"at a terminator", 1.5, [](double x) { return 0.4 * std::exp((x - 1) / 0.01); }, 1, 45}}};
 
-class VerdictOnPairs : public testing::TestWithParam<Pair> {
- protected:
-  struct Found {
-    int better = 0, worse = 0, withoutInterval = 0;
-  };
-
-  /// @param share  of the second method's rate in the first's
-  static Found verdicts(double share) {
-    const Pair& kind = GetParam();
-    const Mask truth = litEverywhere();
-    const Tiling tiling = chooseTiling(truth);
-    RandomFields fields(drawnSide, kind.scale, 15);
-    std::vector<double> first;
-    for (int x = 0; x < drawnSide; ++x) first.push_back(kind.rate((x + 0.5) / drawnSide));
-    std::vector<double> second = first;
-    for (double& rate : second) rate *= share;
-    Found found;
-    for (int m = 0; m < pairsDrawn; ++m) {
-      std::vector<BlockErrors> a, b;
-      for (std::size_t l = 0; l < kind.lights; ++l) {
-        const std::vector<float> common = fields.next();
-        const auto cellsOf = [&](const std::vector<double>& rates) {
-          const Mask mask =
-              errorMask(mixed(common, fields.next(), 0.8), drawnSide, ErrorShape::blobs, rates);
-          return blockErrors(mask, truth, tiling.cellSide);
-        };
-        a.push_back(cellsOf(first));
-        b.push_back(cellsOf(second));
-      }
-      const BlockErrors one = together(a, kind.lights);
-      const BlockErrors other = together(b, kind.lights);
-      const auto interval = differenceConfidence(one, other, tiling).interval;
-      if (!interval) {
-        // Nothing to tell: as many wrong in every block.
-        EXPECT_EQ(one.wrong, other.wrong);
-        ++found.withoutInterval;
-      } else if (!interval->holds(0)) {
-        ++(one.rate() < other.rate() ? found.better : found.worse);
-      }
-    }
-    return found;
-  }
+struct Found {
+  int better = 0, worse = 0, withoutInterval = 0;
 };
 
-/// 95 of 100 intervals of equal methods hold 0.
-TEST_P(VerdictOnPairs, TellsEqualMethodsApartInAtMostSixOf120) {
-  const Found equal = verdicts(1);
-  EXPECT_LE(equal.better + equal.worse, 6);
+/// @param share  of the second method's rate in the first's
+Found verdicts(const Pair& kind, double share) {
+  const Mask truth = litEverywhere();
+  const Tiling tiling = chooseTiling(truth);
+  RandomFields fields(drawnSide, kind.scale, 15);
+  std::vector<double> first;
+  for (int x = 0; x < drawnSide; ++x) first.push_back(kind.rate((x + 0.5) / drawnSide));
+  std::vector<double> second = first;
+  for (double& rate : second) rate *= share;
+  Found found;
+  for (int m = 0; m < pairsDrawn; ++m) {
+    std::vector<BlockErrors> a, b;
+    for (std::size_t l = 0; l < kind.lights; ++l) {
+      const std::vector<float> common = fields.next();
+      const auto cellsOf = [&](const std::vector<double>& rates) {
+        const Mask mask =
+            errorMask(mixed(common, fields.next(), 0.8), drawnSide, ErrorShape::blobs, rates);
+        return blockErrors(mask, truth, tiling.cellSide);
+      };
+      a.push_back(cellsOf(first));
+      b.push_back(cellsOf(second));
+    }
+    const BlockErrors one = together(a, kind.lights);
+    const BlockErrors other = together(b, kind.lights);
+    const auto interval = differenceConfidence(one, other, tiling).interval;
+    if (!interval) {
+      // Nothing to tell: as many wrong in every block.
+      EXPECT_EQ(one.wrong, other.wrong);
+      ++found.withoutInterval;
+    } else if (!interval->holds(0)) {
+      ++(one.rate() < other.rate() ? found.better : found.worse);
+    }
+  }
+  return found;
+}
+
+class VerdictOnPairs : public testing::TestWithParam<Pair> {};
+
+/// 95 of 100 intervals of equal methods hold 0: of 120 pairs 6 do not, and by chance up to 11.
+TEST_P(VerdictOnPairs, TellsEqualMethodsSeldomApart) {
+  const Found equal = verdicts(GetParam(), 1);
+  EXPECT_LE(equal.better + equal.worse, 11);
+}
+
+/// Over all kinds it is no more than 6 of 120.
+TEST(VerdictOnAllPairs, TellsEqualMethodsApartInAtMostSixOf120) {
+  int apart = 0;
+  for (const Pair& kind : pairKinds) {
+    const Found equal = verdicts(kind, 1);
+    apart += equal.better + equal.worse;
+  }
+  EXPECT_LE(apart, 6 * static_cast<int>(pairKinds.size()));
 }
 
 TEST_P(VerdictOnPairs, FindsHalfTheError) {
-  const Found half = verdicts(0.5);
+  const Found half = verdicts(GetParam(), 0.5);
   EXPECT_GE(half.worse, GetParam().leastFound);
   EXPECT_LE(half.better, 1);
   EXPECT_LE(half.withoutInterval, 12);
