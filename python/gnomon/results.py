@@ -66,6 +66,16 @@ def _number(text: str) -> Union[float, str, None]:
         return text
 
 
+def _object(pairs: List[Tuple[str, Any]]) -> Dict[str, Any]:
+    """An object of JSON, none of whose keys may stand twice."""
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        keys = [key for key, _ in pairs]
+        twice = next(key for key in keys if keys.count(key) > 1)
+        raise ValueError(f'"{twice}": a second time in one object, one expected')
+    return found
+
+
 def _rows_of(file: pathlib.Path) -> List[Dict[str, str]]:
     try:
         with open(file, newline="", encoding="utf-8") as stream:
@@ -118,7 +128,9 @@ class Result:
         self.failures = list(failures)
         file = self.folder / "summary.json"
         try:
-            self.summary: Dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+            self.summary: Dict[str, Any] = json.loads(
+                file.read_text(encoding="utf-8"), object_pairs_hook=_object
+            )
         except OSError as error:
             raise _gnomon.InputError(
                 f"{file}: {error.strerror}; the folder of a run expected"

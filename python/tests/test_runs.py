@@ -1,5 +1,6 @@
 import csv
 import os
+import pathlib
 import signal
 import subprocess
 import sys
@@ -183,6 +184,10 @@ def test_a_folder_of_runs_is_one_table(study):
     assert {row["study"] for row in results.rows()} == {"other", "small"}
     with pytest.raises(gnomon.InputError, match="no summary.json found"):
         gnomon.load(study.parent / "cache")
+    summary = pathlib.Path("out/small/summary.json")
+    summary.write_text(summary.read_text().replace("{", '{"schema": "none", ', 1))
+    with pytest.raises(gnomon.InputError, match='"schema": a second time'):
+        gnomon.load("out")
 
 
 def test_metrics_are_a_frame_where_pandas_is(study):

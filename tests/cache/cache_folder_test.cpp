@@ -38,6 +38,11 @@ TEST_F(CacheFolder, IsWhereTheEnvironmentSays) {
   EXPECT_EQ(standardCacheFolder(), "/b/gnomon");
   ::setenv("XDG_CACHE_HOME", "", 1);
   EXPECT_EQ(standardCacheFolder(), "/c/.cache/gnomon");
+  // As the XDG Base Directory Specification has it; a run would write into any working folder.
+  ::setenv("XDG_CACHE_HOME", "b/caches", 1);
+  EXPECT_EQ(standardCacheFolder(), "/c/.cache/gnomon");
+  ::setenv("HOME", "c", 1);
+  EXPECT_EQ(standardCacheFolder(), std::nullopt);
   ::unsetenv("HOME");
   EXPECT_EQ(standardCacheFolder(), std::nullopt);
 }

@@ -61,6 +61,7 @@ TEST_F(ShardManifestFile, WhatIsNoneIsRefusedInOneLine) {
               HasSubstr("no shard.json found"));
   for (const std::string& text :
        {std::string(), std::string("{}"), std::string("[1, 2"),
+        std::string("{\"schema\": \"gnomon-shard/1\",").append(manifestText(sample()), 1),
         manifestText(sample()).replace(manifestText(sample()).find("shard/1"), 7, "shard/9")}) {
     write(text);
     EXPECT_THAT(messageOf<InputError>([&] { (void)readManifest(folder()); }),

@@ -46,6 +46,25 @@ TEST_F(CommandLine, HelpAndVersion) {
   EXPECT_THAT(version.out, MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
+TEST_F(CommandLine, AMistypedOptionOrCommandGetsTheNearest) {
+  const auto refusal = [&](const std::vector<std::string>& words) {
+    const Outcome outcome = gnomon(words);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_THAT(refusal({"compare", "a.png", "b.png", "--diff", "d.png"}),
+              HasSubstr("; did you mean --difference?"));
+  EXPECT_THAT(refusal({"check", "--juint=x.xml"}), HasSubstr("; did you mean --junit?"));
+  EXPECT_THAT(refusal({"--thread", "1", "list"}), HasSubstr("; did you mean --threads?"));
+  EXPECT_THAT(refusal({"chekc", "a.toml"}), HasSubstr("; did you mean check?"));
+  EXPECT_THAT(refusal({"frobnicate"}),
+              AllOf(HasSubstr("frobnicate; one of bake, cache, check, compare, "),
+                    HasSubstr(", view expected. See gnomon --help")));
+  EXPECT_THAT(refusal({"list", "--frobnicate"}), HasSubstr("--frobnicate. See gnomon --help"));
+}
+
 TEST_F(CommandLine, SetChangesTheStudyAndIsRecorded) {
   runStudy("small", smallStudy());
   const double before =

@@ -154,6 +154,50 @@ TEST_F(Compare, FoldersOfTwoLightsHaveTheIntervalOfTheRun) {
   }
 }
 
+// A result in the place of what was compared would be read as a mask the next time.
+TEST_F(Compare, ResultsReplaceNothingThatIsRead) {
+  writeTwo();
+  namespace fs = std::filesystem;
+  for (const char* folder : {"export", "export/masks", "mine"}) fs::create_directory(file(folder));
+  fs::copy_file(file("truth.png"), file("export/masks/a.png"));
+  fs::copy_file(file("truth.png"), file("mine/a.png"));
+  write("export/export.json", "{\"views\": []}");
+  fs::copy_file(file("truth.png"), file("roi.png"));
+  fs::create_symlink("truth.png", file("link.json"));
+  const std::string before = read("truth.png");
+  const std::vector<std::string> two = {"mine.exr", "truth.png", "--roi", "roi.png"};
+  const auto refuse = [&](std::vector<std::string> words, const std::string& option,
+                          const std::string& output) {
+    words.insert(words.end(), {option, output});
+    expectRefusal(words, 2, {option + " " + output + ": the command reads this file"});
+  };
+  for (const char* output : {"truth.png", "./mine.exr", "roi.png", "link.json"}) {
+    refuse(two, "--json", output);
+  }
+  refuse(two, "--difference", "truth.png");
+  refuse(two, "--difference", "roi.png");
+  refuse({"mine", "export/masks"}, "--json", "mine/a.png");
+  refuse({"mine", "export/masks"}, "--json", "export/export.json");
+  expectRefusal({"mine.exr", "truth.png", "--json", "./d.png", "--difference", "d.png"}, 2,
+                {"--json ./d.png: --difference writes this file too"});
+  EXPECT_EQ(read("truth.png"), before);
+  EXPECT_EQ(read("export/export.json"), "{\"views\": []}");
+  EXPECT_FALSE(fs::exists(file("d.png")));
+}
+
+TEST_F(Compare, WhatFileManagersLeaveInAFolderIsNoMask) {
+  writeTwo();
+  for (const char* folder : {"mine", "truths"}) {
+    std::filesystem::create_directory(file(folder));
+    std::filesystem::copy_file(file("truth.png"), file(std::string(folder) + "/a.png"));
+  }
+  for (const char* name : {"mine/Thumbs.db", "mine/desktop.ini", "truths/.DS_Store",
+                           "truths/._a.png", "truths/DESKTOP.INI"}) {
+    write(name, "no picture");
+  }
+  EXPECT_EQ(figures({"mine", "truths"}).at("pairs").size(), 1U);
+}
+
 TEST_F(Compare, FoldersMustHoldTheSameNames) {
   writeTwo();
   for (const char* folder : {"mine", "truths", "none"}) {

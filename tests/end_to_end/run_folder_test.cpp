@@ -171,6 +171,23 @@ TEST_F(RunFolder, AMethodOfTheTruthsFileNameDoesNotReplaceIt) {
   EXPECT_EQ(read("out/small/images/camera_evening_displaced.png"), displaced);
 }
 
+// A run begins by removing what an earlier one wrote.
+TEST_F(RunFolder, WhatTheStudyReadsIsNotRemoved) {
+  runStudy("small", smallStudy());
+  const std::string mask = read("out/small/masks/camera_evening_truth.png");
+  write("small.toml", smallStudy() +
+                          "\n[[method]]\nmasks = \"out/small/masks\"\nlabel = \"drawn\"\n"
+                          "\n[[threshold]]\nmax = 0.9\n");
+  for (const char* command : {"run", "check"}) {
+    const Outcome outcome = gnomon({command, "small.toml"});
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("out/small/masks/camera_evening_truth.png: an earlier run "
+                                       "wrote this file, the new one would read it and remove it"));
+    EXPECT_EQ(read("out/small/masks/camera_evening_truth.png"), mask);
+  }
+  EXPECT_EQ(gnomon({"run", "small.toml", "--out", "other"}).status, 0);
+}
+
 TEST_F(RunFolder, AKilledRunLeavesNothingHalfWrittenAndCanBeRunAgain) {
   runStudy("small", smallStudy(), {"--out", "whole"});
   for (const int milliseconds : {60, 120, 180, 240, 300}) {

@@ -101,12 +101,19 @@ std::optional<fs::path> variable(const char* name) {
   return value;
 }
 
+/// A folder of the XDG Base Directory Specification: one that is not absolute is invalid there, and
+/// ignored.
+std::optional<fs::path> absoluteVariable(const char* name) {
+  auto folder = variable(name);
+  return folder && folder->is_absolute() ? folder : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<fs::path> standardCacheFolder() {
   if (auto chosen = variable("GNOMON_CACHE")) return chosen;
-  if (const auto caches = variable("XDG_CACHE_HOME")) return *caches / "gnomon";
-  if (const auto home = variable("HOME")) return *home / ".cache/gnomon";
+  if (const auto caches = absoluteVariable("XDG_CACHE_HOME")) return *caches / "gnomon";
+  if (const auto home = absoluteVariable("HOME")) return *home / ".cache/gnomon";
   return std::nullopt;
 }
 

@@ -16,7 +16,7 @@ namespace gnomon::cache {
 /// process removed is one that is not there. They share no counter and wait for no lock.
 
 /// The environment's GNOMON_CACHE, else `gnomon` in XDG_CACHE_HOME, else `.cache/gnomon` in the
-/// home folder; none without any of them.
+/// home folder; none without any of them. A relative XDG_CACHE_HOME or HOME is as good as none.
 std::optional<std::filesystem::path> standardCacheFolder();
 
 /// Bytes that a cache may hold where the user chose nothing else.

@@ -2,12 +2,16 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,6 +41,7 @@
 #include "study/run/method_trial.h"
 #include "study/spec/study_file.h"
 #include "study/spec/study_sections.h"
+#include "study/spec/toml/nearest_name.h"
 
 namespace gnomon::cli {
 namespace {
@@ -259,7 +264,30 @@ CLI::App* addMergeCommand(CLI::App& app, MergeRequest& request) {
   return merge;
 }
 
-int dispatch(int argc, char** argv, const Viewer& viewer) {
+/// What the words that no option or command has taken were probably meant to be: "; did you mean
+/// --difference?"
+std::string suggestion(const CLI::App& app) {
+  std::set<std::string, std::less<>> commands, options;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) commands.insert(command->get_name());
+  const auto addOptions = [&](const CLI::App& of) {
+    for (const CLI::Option* option : of.get_options()) {
+      options.insert(option->get_lnames().begin(), option->get_lnames().end());
+    }
+  };
+  addOptions(app);
+  for (const CLI::App* command : app.get_subcommands()) addOptions(*command);
+  for (const std::string& word : app.remaining(true)) {
+    const bool isOption = word.starts_with("--");
+    if (!isOption && !app.get_subcommands().empty()) continue;
+    const std::string typed = isOption ? word.substr(2, word.find('=') - 2) : word;
+    const auto meant = study::nearestName(typed, isOption ? options : commands);
+    if (meant) return fmt::format("; did you mean {}{}?", isOption ? "--" : "", *meant);
+    if (!isOption) return fmt::format("; one of {} expected.", fmt::join(commands, ", "));
+  }
+  return ".";
+}
+
+[[gnu::noinline]] int dispatch(int argc, char** argv, const Viewer& viewer) {
   CLI::App app("Gnomon measures how accurate real-time bump-map shadows are.", "gnomon");
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", GNOMON_VERSION);
@@ -350,7 +378,7 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   } catch (const CLI::ParseError& error) {
     const bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
     if (asked) return app.exit(error);
-    throw UsageError(fmt::format("{}. See gnomon --help", error.what()));
+    throw UsageError(fmt::format("{}{} See gnomon --help", error.what(), suggestion(app)));
   }
   if (app.get_subcommands().empty()) {
     throw UsageError(
@@ -379,11 +407,38 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   return static_cast<int>(status);
 }
 
+/// A stack that no command overflows, nor a thread, which gets as large a one.
+/// @throws InputError for less, while there is enough to say so
+void requireStack() {
+  constexpr rlim_t least = 256;  // kB; with half of it runs of figures still end well
+  rlimit limit{};
+  if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur / 1024 >= least) return;
+  throw InputError(fmt::format("the stack is limited to {} kB, {} kB or more expected: ulimit -s",
+                               limit.rlim_cur / 1024, least));
+}
+
+/// A relative folder of the XDG Base Directory Specification is invalid and ignored there, which
+/// OpenGL's libraries do not know.
+void forgetRelativeFolders() {
+  for (const char* name : {"XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME",
+                           "XDG_RUNTIME_DIR"}) {
+    const char* folder = std::getenv(name);
+    if (folder != nullptr && *folder != '/') unsetenv(name);
+  }
+}
+
 }  // namespace
 
 int runCommandLine(int argc, char** argv, const Viewer& viewer) {
   cleanUpOnSignals();
   prepareStreams();
+  try {
+    requireStack();
+  } catch (const InputError& error) {
+    printFailure({error.status(), error.what()});
+    return static_cast<int>(error.status());
+  }
+  forgetRelativeFolders();
   const JunitFile junit({argv, static_cast<std::size_t>(argc)},
                         commandText(argumentsOf(argc, argv)));
   try {
@@ -395,6 +450,9 @@ int runCommandLine(int argc, char** argv, const Viewer& viewer) {
     flushOutput();
     const bool isWhole = status != 0 || !isErrorLost();
     return isWhole ? status : static_cast<int>(ExitStatus::badInput);
+  } catch (const ClosedPipe& closed) {
+    junit.fail(currentFailure());
+    return static_cast<int>(closed.status());
   } catch (...) {
     const Failure failure = currentFailure();
     junit.fail(failure);

@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <system_error>
 
-#include "common/error.h"
 #include "common/text/one_line.h"
 #include "report/ci/github_annotations.h"
 
@@ -18,6 +18,7 @@ namespace gnomon::cli {
 namespace {
 
 [[noreturn]] void failOutput(int reason) {
+  if (reason == EPIPE) throw ClosedPipe();
   throw InputError(fmt::format("standard output: cannot be written: {}", std::strerror(reason)));
 }
 
@@ -67,6 +68,29 @@ bool isOutputLost() {
 
 bool isErrorLost() {
   return std::fflush(stderr) != 0 || std::ferror(stderr) != 0;
+}
+
+void requireNoInput(const std::string& option, const std::filesystem::path& output,
+                    std::span<const std::filesystem::path> inputs) {
+  for (const std::filesystem::path& input : inputs) {
+    std::error_code isNotThere;
+    if (!std::filesystem::equivalent(output, input, isNotThere)) continue;
+    throw UsageError(fmt::format("{} {}: the command reads this file, another one expected", option,
+                                 output.string()));
+  }
+}
+
+void requireOther(const std::string& option, const std::filesystem::path& output,
+                  const std::string& otherOption, const std::filesystem::path& other) {
+  std::error_code isNotThere;
+  const auto nameOf = [](const auto& path) {
+    return std::filesystem::absolute(path).lexically_normal();
+  };
+  const bool areOne =
+      nameOf(output) == nameOf(other) || std::filesystem::equivalent(output, other, isNotThere);
+  if (!areOne) return;
+  throw UsageError(
+      fmt::format("{} {}: {} writes this file too", option, output.string(), otherOption));
 }
 
 bool coloursWanted() {

@@ -1,11 +1,22 @@
 #pragma once
 
+#include <filesystem>
+#include <span>
+#include <string>
 #include <string_view>
+
+#include "common/error.h"
 
 namespace gnomon::cli {
 
 /// What the command line writes on standard output and standard error. Output that is lost is a
 /// failure: who reads an empty table must not read exit status 0 beside it.
+
+/// Whoever reads standard output has closed it, as `head` does: an error, of which nothing is said.
+class ClosedPipe : public InputError {
+ public:
+  ClosedPipe() : InputError("standard output: nobody reads it any more") {}
+};
 
 /// Prepares the process before it writes anything. A stream that is closed stays without a number
 /// for any file, so that no text gets into one, and writing it fails. A closed pipe (SIGPIPE) and a
@@ -37,6 +48,17 @@ bool isOutputLost();
 
 /// Whether something on standard error could not be written.
 bool isErrorLost();
+
+/// Refuses to write a file over one that the command reads, by whatever names, links too.
+/// @param option  as typed: "--json"
+/// @throws UsageError "--json mine.png: the command reads this file, another one expected"
+void requireNoInput(const std::string& option, const std::filesystem::path& output,
+                    std::span<const std::filesystem::path> inputs);
+
+/// Refuses to write one file for two options.
+/// @throws UsageError "--json a.png: --difference writes this file too"
+void requireOther(const std::string& option, const std::filesystem::path& output,
+                  const std::string& otherOption, const std::filesystem::path& other);
 
 /// Whether standard output takes colours: a terminal that knows them, and NO_COLOR is not set.
 bool coloursWanted();

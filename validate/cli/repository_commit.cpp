@@ -18,8 +18,9 @@ bool isCommit(std::string_view text) {
 }
 
 std::string askGit(const fs::path& folder) {
-  const std::string command =
-      "git -C " + shellQuoted(folder.string()) + " rev-parse HEAD 2>/dev/null </dev/null";
+  // The checkout may be another user's, as in a container, which git alone would refuse.
+  const std::string command = "git -c safe.directory='*' -C " + shellQuoted(folder.string()) +
+                              " rev-parse HEAD 2>/dev/null </dev/null";
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   if (!pipe) return "";
   std::array<char, 128> buffer{};

@@ -7,6 +7,7 @@
 
 #include "common/error.h"
 #include "study/spec/resolved_study.h"
+#include "study/spec/study_inputs.h"
 
 namespace gnomon::cli {
 namespace fs = std::filesystem;
@@ -22,6 +23,12 @@ std::string subfolderOf(const std::string& step) {
 }
 
 }  // namespace
+
+std::vector<fs::path> inputsBeside(const study::StudyPlan& plan) {
+  std::vector<fs::path> inputs = study::inputFiles(plan.steps.front());
+  std::erase(inputs, plan.steps.front().file);
+  return inputs;
+}
 
 FileLock lockFolder(const report::RunFolder& folder) {
   std::error_code failure;
@@ -47,10 +54,13 @@ FileLock lockFolder(const report::RunFolder& folder) {
 
 void RunFolders::claim(const study::StudyPlan& plan, const fs::path& out, bool withSteps) {
   std::map<std::string, Claimed> found;
+  const std::vector<fs::path> inputs = inputsBeside(plan);
   const auto add = [&](const std::string& name) {
     const std::string copy = study::studyCopyName(name);
     study::requireCopyOrNothing(out / name / copy);
-    found.insert_or_assign(name, Claimed{report::RunFolder(out / name, runKind), copy, {}});
+    report::RunFolder folder(out / name, runKind);
+    folder.requireNone(inputs);
+    found.insert_or_assign(name, Claimed{std::move(folder), copy, {}});
   };
   add(plan.name);
   // Once more: while it was not locked another run may have changed it.

@@ -16,14 +16,18 @@ namespace gnomon::cli {
 /// @throws InputError where another process holds it, and as RunFolder
 FileLock lockFolder(const report::RunFolder& folder);
 
+/// Every file that a study's runs read, without the study's own.
+/// @throws InputError as inputFiles
+std::vector<std::filesystem::path> inputsBeside(const study::StudyPlan& plan);
+
 /// The folders of results that a command writes: `out/NAME` of each study and `out/NAME/VALUE` of a
 /// sweep's values. First all are claimed, then all are cleared, before the first study is run: a
 /// run that is killed leaves no summary of an earlier one that it did not reach.
 class RunFolders {
  public:
   /// Locks a study's folders for this process; removes nothing.
-  /// @throws InputError where another process writes there, or a file of somebody else's stands in
-  ///   the place of a summary or of the study's copy
+  /// @throws InputError where another process writes there, a file of somebody else's stands in the
+  ///   place of a summary or of the study's copy, or the study reads what an earlier run left there
   /// @param withSteps  whether a sweep's steps have folders
   void claim(const study::StudyPlan& plan, const std::filesystem::path& out, bool withSteps = true);
   /// Likewise the ranking's files in `out`.

@@ -19,12 +19,12 @@ std::optional<double> uncertaintyIn(const report::JsonReader& view, const fs::pa
   return std::nullopt;
 }
 
-/// What the export of a folder states of a file.
-std::optional<double> uncertaintyBy(const fs::path& folder, const fs::path& file) {
-  const fs::path index = folder / "export.json";
+/// What an export states of a file; the folder is the export's.
+std::optional<double> uncertaintyBy(const fs::path& index, const fs::path& file) {
   if (!pathExists(index)) return std::nullopt;
   const report::Json json = report::readJson(index);
   const report::JsonReader root(json, index.string(), "");
+  const fs::path folder = index.parent_path();
   for (const report::JsonReader& view : root.list("views")) {
     if (const auto found = uncertaintyIn(view, folder, file)) return found;
     if (view.text("type") != "camera") continue;
@@ -35,11 +35,17 @@ std::optional<double> uncertaintyBy(const fs::path& folder, const fs::path& file
 
 }  // namespace
 
+std::array<fs::path, 2> exportIndices(const fs::path& truthMask) {
+  const fs::path folder = fs::absolute(truthMask).lexically_normal().parent_path().parent_path();
+  return {folder / "export.json", folder.parent_path() / "export.json"};
+}
+
 std::optional<double> exportedUncertainty(const fs::path& truthMask) {
   const fs::path file = fs::absolute(truthMask).lexically_normal();
-  const fs::path folder = file.parent_path().parent_path();
-  const auto found = uncertaintyBy(folder, file);
-  return found ? found : uncertaintyBy(folder.parent_path(), file);
+  for (const fs::path& index : exportIndices(truthMask)) {
+    if (const auto found = uncertaintyBy(index, file)) return found;
+  }
+  return std::nullopt;
 }
 
 }  // namespace gnomon::exporting

@@ -146,6 +146,16 @@ void RunFolder::requireFree(const std::string& name) const {
                   (folder_ / name).string(), kind_.list));
 }
 
+void RunFolder::requireNone(std::span<const fs::path> inputs) const {
+  for (const std::string& name : names_) {
+    if (!isOneOf(folder_ / name, inputs)) continue;
+    throw InputError(fmt::format(
+        "{}: an earlier run wrote this file, the new one would read it and remove it; move it "
+        "away, or choose another --out",
+        (folder_ / name).string()));
+  }
+}
+
 void RunFolder::removeIndex() {
   if (names(kind_.index)) removeFile(folder_ / kind_.index);
 }

@@ -40,6 +40,9 @@ class RunFolder {
   /// All names of the list.
   [[nodiscard]] const std::set<std::string>& names() const { return names_; }
 
+  /// @throws InputError where the list names one of these files, which a run is about to read
+  void requireNone(std::span<const std::filesystem::path> inputs) const;
+
   /// Removes the index alone: the folder then holds no finished run.
   void removeIndex();
   /// Removes the files of the list, those of the lists of its folders, what killed writers left

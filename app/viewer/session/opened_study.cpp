@@ -2,10 +2,12 @@
 
 #include <set>
 
+#include "cli/output.h"
 #include "common/lists.h"
 #include "render/method.h"
 #include "render/shader_files.h"
 #include "study/spec/method_replacement.h"
+#include "study/spec/study_inputs.h"
 #include "study/spec/study_table.h"
 #include "study/spec/toml/toml_reader.h"
 
@@ -42,6 +44,9 @@ OpenedStudy openStudy(const cli::ViewRequest& request) {
   study::StudyOptions& options = opened.request.options;
   options = optionsOf(request);
   opened.study = std::make_shared<const study::StudySpec>(study::readStudy(request.study, options));
+  if (request.screenshot) {
+    cli::requireNoInput("--screenshot", *request.screenshot, study::inputFiles(*opened.study));
+  }
   for (const study::MethodSpec& method : opened.study->methods) {
     // Masks that another program drew belong to one camera: they cannot follow a moving one.
     if (method.isGiven()) continue;

@@ -158,6 +158,27 @@ TEST_F(CheckFiles, ACheckThatIsKilledLeavesNoPass) {
   EXPECT_THAT(read("junit.xml"), HasSubstr("did not come to its end"));
 }
 
+// A summary is added to its file: to no study, and to nothing else that the check reads.
+TEST_F(CheckFiles, ASummaryIsAddedToNothingThatIsRead) {
+  writeStudy("a", easy + "[[method]]\nfile = \"mine.glsl\"\n");
+  std::filesystem::copy_file(GNOMON_SCENES "/starter/shadows/my-shadow.glsl", file("mine.glsl"));
+  const std::vector<std::string> check = {"check", "a.toml", "--baseline", "references"};
+  std::vector<std::string> update = check;
+  update.insert(update.end(), {"--update-baseline", "--reason", "first"});
+  ASSERT_EQ(gnomon(update).status, 0);
+  for (const char* name : {"a.toml", "mine.glsl", "references/a.json", "junit.xml"}) {
+    std::vector<std::string> words = check;
+    words.insert(words.end(), {"--junit", "junit.xml", "--summary", name});
+    const Outcome outcome = gnomon(words);
+    EXPECT_EQ(outcome.status, 2);
+    const bool isRead = std::string(name) != "junit.xml";
+    EXPECT_EQ(outcome.err, std::string("gnomon: --summary ") + name +
+                               (isRead ? ": the command reads this file, another one expected\n"
+                                       : ": --junit writes this file too\n"));
+    EXPECT_THAT(read(name), Not(HasSubstr("## Shadows")));
+  }
+}
+
 TEST_F(CheckFiles, AnnotationsAreThereOnlyWhereTheyAreAskedFor) {
   writeStudy("a", hard);
   EXPECT_THAT(gnomon({"check", "a.toml"}).out, Not(HasSubstr("::error")));

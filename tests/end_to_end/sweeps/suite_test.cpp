@@ -133,6 +133,13 @@ TEST_F(Gather, ComparesRankings) {
       gnomon({"gather", "scenes", "--out", "third", "--against", "first/suite.json"});
   EXPECT_THAT(other.out, HasSubstr("Kendall's τ-b -1.000 over 2 methods; 1 of 1 pairs in another"));
   EXPECT_THAT(other.out, HasSubstr("before unshadowed here, behind it there"));
+  // What the ranking is compared with stays.
+  const std::string before = read("first/suite.json");
+  const Outcome onItself =
+      gnomon({"gather", "scenes", "--out", "first", "--against", "first/suite.json"});
+  EXPECT_EQ(onItself.status, 3);
+  EXPECT_THAT(onItself.err, HasSubstr("first/suite.json: an earlier run wrote this file"));
+  EXPECT_EQ(read("first/suite.json"), before);
 }
 
 TEST_F(Gather, ChoosesTheSettingsOfScenesOfTrain) {
@@ -154,6 +161,10 @@ TEST_F(Gather, ChoosesTheSettingsOfScenesOfTrain) {
     for (auto& method : scene["methods"]) rename(method["label"]);
     write(path, scene.dump());
   }
+  std::vector<std::string> onItself = choose;
+  onItself.back() = "methods.toml";
+  EXPECT_EQ(gnomon(onItself).status, 2);
+  EXPECT_THAT(read("methods.toml"), HasSubstr("vary"));
   const Outcome outcome = gnomon(choose);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("Chosen settings: chosen.toml"));

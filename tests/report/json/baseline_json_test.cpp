@@ -63,6 +63,27 @@ TEST_F(BaselineFile, IsReadBackAsItWas) {
   EXPECT_TRUE(read(baselineJson(quick)).quick);
 }
 
+// Of two values of one key readers take the first or the last: a hand-edited limit would not hold.
+TEST_F(BaselineFile, AKeyStandsOnce) {
+  const std::string text = baselineJson(sampleBaseline());
+  const auto doubled = [&](const std::string& part) {
+    std::string twice = text;
+    twice.insert(twice.find(part), part + ",\n");
+    return failure(twice);
+  };
+  const auto line = [&](const std::string& part) {
+    return 2 + std::count(text.begin(), text.begin() + static_cast<long>(text.find(part)), '\n');
+  };
+  for (const std::string part : {"\"form\": \"full\"", "\"tolerance\":0.025"}) {
+    const std::string key = part.substr(0, part.find(':'));
+    EXPECT_EQ(doubled(part), "sample.json:" + std::to_string(line(part)) + ": " + key +
+                                 ": a second time in one object, one expected");
+  }
+  EXPECT_EQ(failure("{\"a\": {\"b\": 1}, \"\\u0061\": 2}"),
+            "sample.json:1: \"a\": a second time in one object, one expected")
+      << "however it is spelled";
+}
+
 TEST_F(BaselineFile, HasALineForEachValueAndNothingOfTheMachine) {
   const std::string text = baselineJson(sampleBaseline());
   EXPECT_THAT(text,

@@ -24,6 +24,12 @@ TEST(NearestName, TakesTheNearerOfTwo) {
   EXPECT_EQ(nearestName("wrapp", {"wall", "wrap"}), "wrap");
 }
 
+TEST(NearestName, FindsWhatWasCutOff) {
+  EXPECT_EQ(nearestName("diff", {"difference", "different-one", "dir"}), "difference");
+  EXPECT_EQ(nearestName("hei", reliefKeys), "height") << "the shortest";
+  EXPECT_FALSE(nearestName("he", reliefKeys)) << "two letters";
+}
+
 TEST(NearestName, FindsNothingThatIsFarAway) {
   EXPECT_FALSE(nearestName("colour", reliefKeys));
   EXPECT_FALSE(nearestName("", reliefKeys));

@@ -137,6 +137,21 @@ std::map<std::string, std::string> ownShaders(const study::StudyPlan& plan) {
   return shaders;
 }
 
+/// @throws UsageError for a summary that would be added to a file that the check reads, or to its
+///   other result
+void requireOwnSummary(const std::vector<Study>& studies, const CheckRequest& request) {
+  if (!request.summary) return;
+  std::vector<fs::path> inputs = request.run.studies;
+  if (request.junit) requireOther("--summary", *request.summary, "--junit", *request.junit);
+  for (const Study& study : studies) {
+    if (!study.check.baseline.empty()) inputs.emplace_back(study.check.baseline);
+    if (!study.plan) continue;
+    const std::vector<fs::path> more = inputsBeside(*study.plan);
+    inputs.insert(inputs.end(), more.begin(), more.end());
+  }
+  requireNoInput("--summary", *request.summary, inputs);
+}
+
 /// Before the study is run, so that its reports can say what became of it.
 void readBaselineOf(Study& study, const CheckRequest& request) {
   if (!request.baseline || !study.plan) return;
@@ -416,6 +431,7 @@ ExitStatus checkStudies(const CheckRequest& request) {
     studies.push_back(readOne(file, request, names));
   }
   requirePaper(studies, request);
+  requireOwnSummary(studies, request);
   writeJunit(request, studies, false);
   Records records;
   const std::unique_ptr<cache::Cache> cache = openCache(request.run.noCache);

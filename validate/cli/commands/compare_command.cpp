@@ -284,6 +284,23 @@ ExitStatus statusOf(bool passed) {
   return passed ? ExitStatus::pass : ExitStatus::thresholdFailed;
 }
 
+/// @throws UsageError for a result that would replace a picture that is compared, what says how
+///   uncertain it is, or the other result
+void requireOwnResults(const CompareRequest& request, const std::vector<fs::path>& pictures) {
+  std::vector<fs::path> inputs = pictures;
+  if (request.roi) inputs.push_back(*request.roi);
+  for (const fs::path& picture : pictures) {
+    for (const fs::path& index : exporting::exportIndices(picture)) inputs.push_back(index);
+  }
+  if (!request.json.empty() && request.json != "-") {
+    requireNoInput("--json", request.json, inputs);
+    if (request.difference) {
+      requireOther("--json", request.json, "--difference", *request.difference);
+    }
+  }
+  if (request.difference) requireNoInput("--difference", *request.difference, inputs);
+}
+
 ExitStatus compareFolders(const CompareRequest& request) {
   if (request.difference) {
     throw UsageError("--difference: two pictures expected, two folders found");
@@ -292,6 +309,11 @@ ExitStatus compareFolders(const CompareRequest& request) {
   const std::map<std::string, fs::path> candidates = study::masksIn(request.candidate);
   const std::map<std::string, fs::path> truths = study::masksIn(request.truth);
   requireSameNames(request, candidates, truths);
+  std::vector<fs::path> pictures;
+  for (const auto* folder : {&candidates, &truths}) {
+    for (const auto& [name, file] : *folder) pictures.push_back(file);
+  }
+  requireOwnResults(request, pictures);
   report::MaskFolders folders{request.candidate.string(), request.truth.string(), request.command};
   std::vector<compare::ComparedMasks> masks;
   for (const auto& [name, truth] : truths) {
@@ -366,6 +388,7 @@ ExitStatus compareMasks(const CompareRequest& request) {
         fmt::format("{}: a folder found, two pictures or two folders expected", folder.string()));
   }
   if (isFolder) return compareFolders(request);
+  requireOwnResults(request, {request.candidate, request.truth});
   const Compared found = compareTwo(comparingFor(request), request.candidate, request.truth);
   if (request.difference) {
     const compare::ComparedMasks& masks = found.masks;

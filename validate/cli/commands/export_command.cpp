@@ -38,6 +38,7 @@ std::vector<StepFolder> claimFolders(const std::vector<study::StudyPlan>& plans,
     for (const study::StudySpec& study : plan.steps) {
       const fs::path path = out / study.name / subfolder;
       FileLock lock = lockFolder(report::RunFolder(path, kind));
+      report::RunFolder(path, kind).requireNone(inputsBeside(plan));
       steps.push_back({report::RunFolder(path, kind), std::move(lock)});
     }
   }

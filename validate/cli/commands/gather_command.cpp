@@ -117,6 +117,15 @@ void writeChoice(const Choice& choice, const study::SuiteStatistics& statistics,
   printLine("Chosen settings: " + file.string());
 }
 
+/// What the command reads.
+std::vector<fs::path> inputsOf(const GatherRequest& request,
+                               const std::vector<report::FinishedScene>& scenes) {
+  std::vector<fs::path> files = {request.methods.value_or(study::standardMethodsFile())};
+  if (request.against) files.push_back(*request.against);
+  for (const report::FinishedScene& scene : scenes) files.push_back(scene.folder / "summary.json");
+  return files;
+}
+
 }  // namespace
 
 CLI::App* addGatherCommand(CLI::App& app, GatherRequest& request) {
@@ -167,7 +176,10 @@ ExitStatus gatherScenes(const GatherRequest& request) {
   requirePaperMethods(request.paper, labels);
   std::optional<Choice> choice;
   if (request.choose) choice = chooseSettings(request, statistics.table);
+  const std::vector<fs::path> inputs = inputsOf(request, scenes);
+  if (request.choose) requireNoInput("--choose", *request.choose, inputs);
   report::RunFolder claimed(request.out, suiteKind);
+  claimed.requireNone(inputs);
   const FileLock lock = lockFolder(claimed);
   // Once more: while it was not locked another command may have changed it.
   report::RunFolder folder(request.out, suiteKind);

@@ -3,16 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "common/error.h"
-#include "common/files/atomic_file.h"
+#include "report/json/json_reader.h"
 
 namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
-using Json = nlohmann::ordered_json;
+using report::Json;
 
 constexpr const char* schema = "gnomon-shard/1";
 
@@ -75,7 +74,7 @@ ShardManifest readManifest(const fs::path& folder) {
                     folder.string(), manifestFile));
   }
   try {
-    return manifestOf(Json::parse(readFile(file)));
+    return manifestOf(report::readJson(file));
   } catch (const std::exception& error) {
     throw InputError(
         fmt::format("{}: the manifest of a shard expected: {}", file.string(), error.what()));

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 #include <utility>
 
 #include "common/error.h"
@@ -59,8 +61,20 @@ std::vector<JsonReader> JsonReader::list(const char* key) const {
 
 Json readJson(const std::filesystem::path& path) {
   const std::string text = readFile(path);
+  std::istringstream stream(text);          // it tells how far the parser has come
+  std::vector<std::set<std::string>> keys;  // of the objects that are open
+  const auto refuseSecond = [&](int, Json::parse_event_t event, const Json& parsed) {
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && !keys.back().insert(parsed).second) {
+      const auto line = 1 + std::count(text.begin(), text.begin() + stream.tellg(), '\n');
+      throw InputError(fmt::format("{}:{}: {}: a second time in one object, one expected",
+                                   path.string(), line, oneLine(parsed.dump())));
+    }
+    return true;
+  };
   try {
-    return Json::parse(text);
+    return Json::parse(stream, refuseSecond);
   } catch (const Json::parse_error& error) {
     const auto read = static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), text.begin() + read, '\n');

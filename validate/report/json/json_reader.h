@@ -38,7 +38,8 @@ class JsonReader {
   std::string path_;
 };
 
-/// @throws InputError for a file that cannot be read or is no JSON, naming the line
+/// @throws InputError for a file that cannot be read, is no JSON, or has a key twice in one object
+///   (the JSON standard leaves open which of them counts), naming the line
 Json readJson(const std::filesystem::path& path);
 
 }  // namespace gnomon::report

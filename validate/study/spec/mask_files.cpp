@@ -18,6 +18,14 @@ std::string maskName(const fs::path& file) {
   return stem.ends_with(ending) ? stem.substr(0, stem.size() - ending.size()) : stem;
 }
 
+/// What file managers leave in a folder of pictures, beside hidden files, in either case.
+bool isOfFileManager(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return name.starts_with('.') || name == "thumbs.db" || name == "ehthumbs.db" ||
+         name == "desktop.ini" || name == "icon\r";
+}
+
 }  // namespace
 
 std::map<std::string, fs::path> masksIn(const fs::path& folder) {
@@ -25,7 +33,7 @@ std::map<std::string, fs::path> masksIn(const fs::path& folder) {
   std::error_code failure;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
     const fs::path& file = entry.path();
-    if (!entry.is_regular_file() || file.filename().string().starts_with('.')) continue;
+    if (!entry.is_regular_file() || isOfFileManager(file.filename().string())) continue;
     const auto [other, isNew] = masks.emplace(maskName(file), file);
     if (isNew) continue;
     const auto [first, second] = std::minmax(other->second, file);

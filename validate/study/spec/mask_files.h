@@ -11,7 +11,8 @@
 namespace gnomon::study {
 
 /// The masks of a folder by their names: the file's without its extension, and without the `_truth`
-/// that an export gives the truth's. Hidden files and folders are not looked at.
+/// that an export gives the truth's. Folders, hidden files, and what file managers leave
+/// (`Thumbs.db`, `desktop.ini`) are not looked at.
 /// @throws InputError for a folder that cannot be read, or two files of one name
 std::map<std::string, std::filesystem::path> masksIn(const std::filesystem::path& folder);
 

@@ -17,71 +17,76 @@ namespace {
 
 using Kind = InputRecord::Kind;
 
-class Inputs {
- public:
-  explicit Inputs(const fs::path& folder) : folder_(folder), shaders_(render::shaderFolder()) {}
-
-  void add(Kind kind, const fs::path& file) {
-    const fs::path inside = file.lexically_relative(shaders_);
-    const bool isOurs = kind == Kind::shader && !inside.empty() && *inside.begin() != "..";
-    const std::string name =
-        isOurs ? (fs::path("shaders") / inside).generic_string() : pathFrom(file, folder_);
-    const auto isSame = [&](const InputRecord& input) { return input.file == name; };
-    if (std::any_of(list.begin(), list.end(), isSame)) return;
-    list.push_back({kind, name, sha256(readFile(file))});
-  }
-
-  /// Of the text that was run, whatever the file holds by now.
-  void addStudy(const StudySpec& study) {
-    const bool isStream = isGivenStream(study.file);
-    list.push_back({Kind::study, isStream ? study.file.string() : pathFrom(study.file, folder_),
-                    sha256(study.text)});
-  }
-
-  void addCommonShaders() {
-    for (const fs::path& file : render::shadersIn(shaders_ / "common")) add(Kind::shader, file);
-  }
-
-  /// A method's file, and those that it brings.
-  void addMethod(const fs::path& file) {
-    add(Kind::shader, file);
-    const render::Method method = render::readMethod(file);
-    for (const render::ShaderPiece& include : method.includes) add(Kind::shader, include.file);
-    for (const render::MethodTexture& texture : method.textures) add(Kind::image, texture.file);
-  }
-
-  std::vector<InputRecord> list;
-
- private:
-  fs::path folder_;
-  fs::path shaders_;
+struct InputFile {
+  Kind kind;
+  fs::path path;
 };
 
-}  // namespace
+/// A method's file, and those that it brings.
+void addMethod(const fs::path& file, std::vector<InputFile>& files) {
+  files.push_back({Kind::shader, file});
+  const render::Method method = render::readMethod(file);
+  for (const render::ShaderPiece& include : method.includes) {
+    files.push_back({Kind::shader, include.file});
+  }
+  for (const render::MethodTexture& texture : method.textures) {
+    files.push_back({Kind::image, texture.file});
+  }
+}
 
-std::vector<InputRecord> studyInputs(const StudySpec& study, const fs::path& folder) {
+std::vector<InputFile> filesOf(const StudySpec& study) {
   const fs::path home = studyFolder(study.file);
-  Inputs inputs(folder);
-  inputs.addStudy(study);
+  std::vector<InputFile> files = {{Kind::study, study.file}};
   if (const auto* mesh = std::get_if<SurfaceMesh>(&study.surfaceSection)) {
-    inputs.add(Kind::mesh, home / pathOf(mesh->path));
+    files.push_back({Kind::mesh, home / pathOf(mesh->path)});
   }
   if (const ImageMap* image = imageOf(study.reliefSection)) {
-    inputs.add(Kind::image, home / pathOf(image->path));
+    files.push_back({Kind::image, home / pathOf(image->path)});
   }
-  inputs.addCommonShaders();
+  for (const fs::path& file : render::shadersIn(render::shaderFolder() / "common")) {
+    files.push_back({Kind::shader, file});
+  }
   for (const MethodSpec& method : study.methods) {
-    if (!method.isGiven()) inputs.addMethod(method.file);
+    if (!method.isGiven()) addMethod(method.file, files);
     for (const GivenMaskFile& mask : givenMaskFiles(study, method)) {
-      inputs.add(Kind::mask, mask.path);
+      files.push_back({Kind::mask, mask.path});
     }
   }
   for (const LadderSpec& ladder : study.ladders) {
     for (const auto* states : {&ladder.forward, &ladder.backward}) {
-      for (const MethodSpec& state : *states) inputs.addMethod(state.file);
+      for (const MethodSpec& state : *states) addMethod(state.file, files);
     }
   }
-  return std::move(inputs.list);
+  return files;
+}
+
+}  // namespace
+
+std::vector<fs::path> inputFiles(const StudySpec& study) {
+  std::vector<fs::path> paths;
+  for (InputFile& file : filesOf(study)) paths.push_back(std::move(file.path));
+  return paths;
+}
+
+std::vector<InputRecord> studyInputs(const StudySpec& study, const fs::path& folder) {
+  const fs::path shaders = render::shaderFolder();
+  std::vector<InputRecord> records;
+  for (const auto& [kind, file] : filesOf(study)) {
+    if (kind == Kind::study) {
+      // Of the text that was run, whatever the file holds by now.
+      records.push_back(
+          {kind, isGivenStream(file) ? file.string() : pathFrom(file, folder), sha256(study.text)});
+      continue;
+    }
+    const fs::path inside = file.lexically_relative(shaders);
+    const bool isOurs = kind == Kind::shader && !inside.empty() && *inside.begin() != "..";
+    const std::string name =
+        isOurs ? (fs::path("shaders") / inside).generic_string() : pathFrom(file, folder);
+    const auto isSame = [&](const InputRecord& input) { return input.file == name; };
+    if (std::any_of(records.begin(), records.end(), isSame)) continue;
+    records.push_back({kind, name, sha256(readFile(file))});
+  }
+  return records;
 }
 
 }  // namespace gnomon::study

@@ -43,6 +43,14 @@ TEST_F(FirstView, IsTheStudysFirstMethodBesideTheTruth) {
   EXPECT_EQ(shown(firstView(openStudy(asked))), Contents{"ellipse"}) << "options say otherwise";
 }
 
+TEST_F(FirstView, AScreenshotReplacesNothingThatTheStudyReads) {
+  const std::string before = readFile(study());
+  cli::ViewRequest asked = request();
+  asked.screenshot = study();
+  EXPECT_THROW((void)openStudy(asked), UsageError);
+  EXPECT_EQ(readFile(study()), before);
+}
+
 TEST_F(FirstView, PassesOverTheControlWhereThereIsAnotherMethod) {
   const std::string control = "[[method]]\nname = \"unshadowed\"\nlabel = \"none at all\"\n";
   writeMethods(control + "[[method]]\nname = \"ellipse\"\n[[method]]\nname = \"max-forsyth\"\n");

@@ -31,6 +31,7 @@ std::optional<std::string> nearestName(std::string_view typed,
                                        const std::set<std::string, std::less<>>& names) {
   // A long text is no slip of the fingers, and the table above grows with its square.
   constexpr std::size_t longest = 64;
+  constexpr std::size_t fewestLetters = 3;  // of a name that was cut off
   if (typed.size() > longest) return std::nullopt;
   std::optional<std::string> nearest;
   std::size_t fewest = 0;
@@ -39,6 +40,11 @@ std::optional<std::string> nearestName(std::string_view typed,
     if (nearest ? count >= fewest : 3 * count > name.size()) continue;
     nearest = name;
     fewest = count;
+  }
+  if (nearest || typed.size() < fewestLetters) return nearest;
+  for (const std::string& name : names) {
+    const bool isShorter = !nearest || name.size() < nearest->size();
+    if (name.starts_with(typed) && isShorter) nearest = name;
   }
   return nearest;
 }
