@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -46,6 +47,12 @@ class FaceOnMap {
 
   /// Whether a place lies inside, not on the border: exact.
   [[nodiscard]] bool holds(Vec2 place) const {
+    // To the same side of all edges, or, beside a reflex corner, in a triangle.
+    int turns = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      turns += surface::orientation(corners_.at(k), corners_.at((k + 1) % 4), place);
+    }
+    if (std::abs(turns) == 4) return true;
     const std::vector<surface::TextureTriangle> triangles = surface::trianglesOf(corners_);
     return std::any_of(triangles.begin(), triangles.end(),
                        [&](const auto& triangle) { return surface::isInside(triangle, place); });
