@@ -17,5 +17,5 @@ symbol = "square"
 float visibility(Pixel pixel, LocalLight light) {
   vec3 facing = bumpedNormal(pixel, heightGradient(pixel.texel));
   float openness = opennessAt(pixel.texel);
-  return abs(dot(facing, lightDirection)) + 2.0 * openness * openness - 1.0;
+  return clamp(abs(dot(facing, lightDirection)) + 2.0 * openness * openness - 1.0, 0.0, 1.0);
 }

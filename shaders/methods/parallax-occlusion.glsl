@@ -46,5 +46,5 @@ float visibility(Pixel pixel, LocalLight light) {
     float weight = max((lastTap - t) / 0.055, 1.0);
     hidden = max(hidden, softening * weight * over);
   }
-  return 1.0 - hidden;
+  return clamp(1.0 - hidden, 0.0, 1.0);
 }

@@ -44,5 +44,5 @@ float visibility(Pixel pixel, LocalLight light) {
   vec2 ends = endsOtherChartAt(pixel.texel) ? passEnds(pixel) : endsAt(pixel.texel);
   float over = heightAt(pixel.texel) - ends.y;
   float between = ends.x - ends.y;
-  return between > 0.0 ? over / between : (over > 0.0 ? 1.0 : 0.0);
+  return between > 0.0 ? clamp(over / between, 0.0, 1.0) : (over > 0.0 ? 1.0 : 0.0);
 }

@@ -89,5 +89,5 @@ float visibility(Pixel pixel, LocalLight light) {
   float variance = max(moments.y - moments.x * moments.x, least_variance);
   float behind = max(place.z - moments.x, 0.0);
   float share = variance / (variance + behind * behind);
-  return cosine > 0.0 ? (share - bleeding) / (1.0 - bleeding) : 0.0;
+  return cosine > 0.0 ? max((share - bleeding) / (1.0 - bleeding), 0.0) : 0.0;
 }

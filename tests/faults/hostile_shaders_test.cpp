@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "end_to_end/support/program.h"
+#include "support/replaced.h"
 #include "support/test_length.h"
 
 namespace gnomon::test {
@@ -24,6 +25,16 @@ class HostileShaders : public EndToEnd {
               body + "\n}\n");
     write("own.toml", smallStudy() + "\n[[method]]\nfile = \"mine.glsl\"\nlabel = \"own\"\n");
     return gnomon({"run", "own.toml"}, environment);
+  }
+
+  /// Runs the small study under a light of this radius with a method of this declaration and code.
+  Outcome runCode(const std::string& declaration, const std::string& code, int radius) {
+    write("mine.glsl",
+          "/* gnomon-method\ntitle = \"t\"\ncitation = \"c\"\n" + declaration + "*/\n" + code);
+    const std::string light = "elevation = 30\nradius = " + std::to_string(radius) + "\n";
+    write("own.toml", replaced(smallStudy(), "elevation = 30\n", light) +
+                          "\n[[method]]\nfile = \"mine.glsl\"\nlabel = \"own\"\n");
+    return gnomon({"run", "own.toml"});
   }
 
   /// Refused in one line, with nothing left behind.
@@ -81,6 +92,53 @@ TEST_F(HostileShaders, ThatDiscardAreNamedWithTheLine) {
 TEST_F(HostileShaders, ThatLeaveOutPixelsOtherwiseAreNamed) {
   expectRefused(runWith("  gl_FragDepth = pixel.texel.x > 9.0 ? 1.0 : 0.5;\n  return false;"),
                 "method \"own\" (");
+}
+
+TEST_F(HostileShaders, ThatAnswerWithNoNumberAreNamedByViewLightAndSamples) {
+  const std::string share = "float visibility(Pixel pixel, LocalLight light) { return ";
+  const std::string nothing = "uintBitsToFloat(0x7fc00000u)";
+  const std::string isFew = "pixel.texel.x > 15.0 && pixel.texel.y > 15.0 ? ";
+  for (const std::string& wrong : {nothing, std::string("1.5"), std::string("-0.5")}) {
+    for (const int radius : {0, 4}) {
+      const Outcome outcome = runCode("", share + isFew + wrong + " : 0.75; }\n", radius);
+      expectRefused(outcome, "method \"own\" (");
+      EXPECT_THAT(outcome.err,
+                  AllOf(HasSubstr("its `visibility` is no number or not from 0 to 1 at "),
+                        HasSubstr(" samples of view \"camera\" under light \"evening\"")));
+    }
+  }
+  expectRefused(runCode("",
+                        "float horizonSlope(Pixel pixel, LocalLight light) { return " + isFew +
+                            nothing + " : 0.1; }\n",
+                        0),
+                "its `horizonSlope` is no number at ");
+  expectRefused(runCode("normal = \"own\"\n",
+                        "vec3 shadingNormal(Pixel pixel) { return 2.0 * pixel.normal; }\n"
+                        "bool isShadowed(Pixel pixel, LocalLight light) { return false; }\n",
+                        0),
+                "its `shadingNormal` is no unit vector at ");
+  // The ends themselves, rounding, and a horizon that is everywhere or nowhere, are answers.
+  for (const std::string right : {"0.0", "1.0", "1.00001"}) {
+    EXPECT_EQ(runCode("", share + isFew + right + " : 0.75; }\n", 4).status, 0) << right;
+  }
+  EXPECT_EQ(runCode("",
+                    "float horizonSlope(Pixel pixel, LocalLight light) { return " + isFew +
+                        "uintBitsToFloat(0x7f800000u) : -1e30; }\n",
+                    0)
+                .status,
+            0);
+}
+
+TEST_F(HostileShaders, ThatNeverEndAreNamedByViewLightAndSamples) {
+  const std::vector<std::string> endless = {
+      "  float a = 0.0;\n  while (a < 1.0) a *= 0.5;\n  return a > 0.5;",
+      "  float a = 0.0;\n  while (pixel.texel.x > 30.0 && a < 1.0) for (;;) a *= 0.5;\n"
+      "  return a > 0.5;"};
+  for (const std::string& body : endless) {
+    const Outcome outcome = runWith(body);
+    expectRefused(outcome, "its loops turn 32768 times or more at ");
+    EXPECT_THAT(outcome.err, HasSubstr(" samples of view \"camera\" under light \"evening\""));
+  }
 }
 
 }  // namespace

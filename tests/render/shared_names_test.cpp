@@ -88,6 +88,60 @@ TEST_F(SharedNames, OtherFaultsGetNoHint) {
   EXPECT_THAT(refusal(declared, "return isTurnedAway(pixel);"), Not(HasSubstr("needs")));
 }
 
+TEST_F(SharedNames, AMistypedNameIsAnsweredByTheNearestThereIs) {
+  const std::string declared = R"(tables = ["height"])";
+  EXPECT_THAT(refusal(declared, "return heigthAt(pixel.texel) > 1.0;"),
+              AllOf(HasSubstr("mine.glsl:7: "), EndsWith("; did you mean heightAt?")));
+  EXPECT_THAT(refusal("", "return heigthAt(pixel.texel) > 1.0;"),
+              EndsWith(R"(; did you mean heightAt? To use it, declare tables = ["height"])"));
+  EXPECT_THAT(refusal("", "return normalise(pixel.normal).z > 1.0;"),
+              EndsWith("; did you mean normalize?"));
+  EXPECT_THAT(refusal("[bakes.sky]\n",
+                      "return skyyAt(pixel.texel) > 1.0;\n}\n"
+                      "float bakeSky(vec2 texel) { return 1.0;"),
+              EndsWith("; did you mean skyAt?"));
+  // A name that is like none may be a bake's.
+  EXPECT_THAT(refusal(declared, "return occlusionAt(pixel.texel) > 1.0;"),
+              EndsWith("; to use occlusionAt, declare [bakes.occlusion]"));
+}
+
+TEST_F(SharedNames, AMemberIsLookedForInTheStructures) {
+  for (const std::string wrong : {"worldPerTexel", "pixel.worldPerTexel"}) {
+    EXPECT_THAT(refusal("", "return " + wrong + " > 1.0;"),
+                AllOf(HasSubstr("mine.glsl:7: "), Not(HasSubstr("bakes")),
+                      EndsWith("; worldPerTexel is a member of LocalLight")))
+        << wrong;
+  }
+  EXPECT_THAT(refusal("", "return pixel.worldPerHeigth > 1.0;"),
+              EndsWith("; did you mean worldPerHeight?"));
+}
+
+TEST_F(SharedNames, AWrongCallIsToldTheSignature) {
+  const std::string declared = R"(tables = ["height"])";
+  const auto message = refusal(declared, "return heightAt(1, 2) > 1.0;");
+  EXPECT_THAT(message, AllOf(HasSubstr("mine.glsl:7: "), Not(HasSubstr("candidates")),
+                             EndsWith("; the signature is float heightAt(vec2 at)")));
+  EXPECT_THAT(refusal(declared, "return heightAt(pixel.texel).slope > 1.0;"),
+              EndsWith("; the signature is float heightAt(vec2 at)"));
+  EXPECT_THAT(refusal(declared, "return heightCell(1).fraction.x > 1.0;"),
+              AllOf(HasSubstr("; the signatures are Cell heightCell(vec2 at"),
+                    HasSubstr(" and Cell heightCell(vec2 at")));
+}
+
+TEST_F(SharedNames, ErrorsInSharedFilesNameALineOfTheMethod) {
+  // Defined again by shading.glsl, which follows.
+  EXPECT_THAT(refusal("", "return true;\n}\nbool isTurnedAway(Pixel pixel) {\n  return true;"),
+              AllOf(HasSubstr("mine.glsl:9: "), HasSubstr("shading.glsl:")));
+  // A brace that is missing is missed where the next file begins.
+  const std::string open = refusal("", "if (pixel.texel.x > 0.0) {\n  return true;");
+  EXPECT_THAT(open, AllOf(HasSubstr("mine.glsl:9: "), HasSubstr("after the end of this file")));
+  // Declared and not defined: told by the linker, which knows no line.
+  EXPECT_THAT(refusal("",
+                      "return later(pixel);\n}\nbool earlier() {\n  return true;\n}\n"
+                      "bool later(Pixel pixel);\nbool last() {\n  return true;"),
+              HasSubstr("mine.glsl:"));
+}
+
 TEST_F(SharedNames, EveryDefineHasItsDeclaration) {
   const auto names = sharedNames(shaderFolder());
   ASSERT_GT(names.size(), 60U);

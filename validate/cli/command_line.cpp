@@ -36,12 +36,12 @@
 #include "cli/shards/shard.h"
 #include "common/error.h"
 #include "common/system/interruption.h"
+#include "common/text/nearest_name.h"
 #include "render/method.h"
 #include "study/record/result_metrics.h"
 #include "study/run/method_trial.h"
 #include "study/spec/study_file.h"
 #include "study/spec/study_sections.h"
-#include "study/spec/toml/nearest_name.h"
 
 namespace gnomon::cli {
 namespace {
@@ -280,7 +280,7 @@ std::string suggestion(const CLI::App& app) {
     const bool isOption = word.starts_with("--");
     if (!isOption && !app.get_subcommands().empty()) continue;
     const std::string typed = isOption ? word.substr(2, word.find('=') - 2) : word;
-    const auto meant = study::nearestName(typed, isOption ? options : commands);
+    const auto meant = nearestName(typed, isOption ? options : commands);
     if (meant) return fmt::format("; did you mean {}{}?", isOption ? "--" : "", *meant);
     if (!isOption) return fmt::format("; one of {} expected.", fmt::join(commands, ", "));
   }

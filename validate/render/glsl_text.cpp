@@ -18,14 +18,47 @@ bool parenthesesHold(std::string_view glsl, std::size_t at, std::string_view wor
   return inside.starts_with('(') && lineOfWord(inside, word);
 }
 
-/// Where a comment or a line of the preprocessor that begins at a place ends; the place itself
-/// where none begins.
-std::size_t endOfNoCode(std::string_view glsl, std::size_t at) {
-  if (glsl.substr(at, 2) == "//" || glsl[at] == '#')
-    return std::min(glsl.find('\n', at), glsl.size());
+/// Where a comment that begins at a place ends; the place itself where none begins.
+std::size_t endOfComment(std::string_view glsl, std::size_t at) {
+  if (glsl.substr(at, 2) == "//") return std::min(glsl.find('\n', at), glsl.size());
   if (glsl.substr(at, 2) != "/*") return at;
   const std::size_t close = glsl.find("*/", at + 2);
   return close == std::string_view::npos ? glsl.size() : close + 2;
+}
+
+/// The first place from `at` on that is no space and in no comment.
+std::size_t nextCode(std::string_view glsl, std::size_t at) {
+  while (at < glsl.size()) {
+    const std::size_t end = endOfComment(glsl, at);
+    if (end == at && std::string_view(" \t\r\n\\").find(glsl[at]) == std::string_view::npos) break;
+    at = std::max(end, at + 1);
+  }
+  return at;
+}
+
+/// The place after the parenthesis that closes the one at a place; npos where none does.
+std::size_t afterParentheses(std::string_view glsl, std::size_t open) {
+  int depth = 0;
+  for (std::size_t at = open; at < glsl.size();) {
+    const std::size_t end = endOfComment(glsl, at);
+    if (end == at) depth += glsl[at] == '(' ? 1 : (glsl[at] == ')' ? -1 : 0);
+    at = std::max(end, at + 1);
+    if (depth == 0) return at;
+  }
+  return std::string_view::npos;
+}
+
+/// The head of a loop, "for (…)" or "while (…)", so that `nextTurn()` can end it.
+/// @param isLast  whether nothing but a semicolon follows: the end of `do`, or a loop without body
+std::string endingHead(std::string_view word, std::string_view parentheses, bool isLast) {
+  if (word == "while" && isLast) return fmt::format("while ({} && nextTurn())", parentheses);
+  return fmt::format("{} {} if (!nextTurn()) break; else", word, parentheses);
+}
+
+/// Where a comment or a line of the preprocessor that begins at a place ends; the place itself
+/// where none begins.
+std::size_t endOfNoCode(std::string_view glsl, std::size_t at) {
+  return glsl[at] == '#' ? std::min(glsl.find('\n', at), glsl.size()) : endOfComment(glsl, at);
 }
 
 }  // namespace
@@ -33,13 +66,8 @@ std::size_t endOfNoCode(std::string_view glsl, std::size_t at) {
 std::optional<std::size_t> lineOfWord(std::string_view glsl, std::string_view word) {
   std::size_t line = 1;
   for (std::size_t at = 0; at < glsl.size();) {
-    std::size_t end = at + 1;
-    if (glsl.substr(at, 2) == "//") {
-      end = std::min(glsl.find('\n', at), glsl.size());
-    } else if (glsl.substr(at, 2) == "/*") {
-      const std::size_t close = glsl.find("*/", at + 2);
-      end = close == std::string_view::npos ? glsl.size() : close + 2;
-    } else if (isWordCharacter(glsl[at])) {
+    std::size_t end = std::max(endOfComment(glsl, at), at + 1);
+    if (isWordCharacter(glsl[at])) {
       while (end < glsl.size() && isWordCharacter(glsl[end])) ++end;
       if (glsl.substr(at, end - at) == word) return line;
     }
@@ -74,6 +102,29 @@ bool definesFunction(const std::vector<ShaderPiece>& code, std::string_view name
   return std::any_of(code.begin(), code.end(), [&](const ShaderPiece& piece) {
     return definesFunction(piece.text, name, argument);
   });
+}
+
+std::string withEndingLoops(std::string_view glsl) {
+  std::string text;
+  for (std::size_t at = 0; at < glsl.size();) {
+    std::size_t end = std::max(endOfComment(glsl, at), at + 1);
+    if (isWordCharacter(glsl[at])) {
+      while (end < glsl.size() && isWordCharacter(glsl[end])) ++end;
+    }
+    const std::string_view word = glsl.substr(at, end - at);
+    const std::size_t open = nextCode(glsl, end);
+    const bool isHead = (word == "for" || word == "while") && glsl.substr(open, 1) == "(";
+    const std::size_t close = isHead ? afterParentheses(glsl, open) : std::string_view::npos;
+    if (close == std::string_view::npos) {
+      text += word;
+      at = end;
+      continue;
+    }
+    const bool isLast = glsl.substr(nextCode(glsl, close), 1) == ";";
+    text += endingHead(word, glsl.substr(open, close - open), isLast);
+    at = close;
+  }
+  return text;
 }
 
 std::optional<std::string> placeOfWord(const std::vector<ShaderPiece>& code,

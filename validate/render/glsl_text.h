@@ -26,4 +26,7 @@ bool definesFunction(const std::vector<ShaderPiece>& code, std::string_view name
 /// "FILE:LINE" of a word of code in several pieces, without comments.
 std::optional<std::string> placeOfWord(const std::vector<ShaderPiece>& code, std::string_view word);
 
+/// The code with every loop left where a function `bool nextTurn()`, asked once a turn, says no.
+std::string withEndingLoops(std::string_view glsl);
+
 }  // namespace gnomon::render

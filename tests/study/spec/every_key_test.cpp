@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
+#include "common/text/nearest_name.h"
 #include "study/spec/study_file_fixture.h"
 #include "study/spec/sweep/sweep.h"
-#include "study/spec/toml/nearest_name.h"
 #include "study/spec/toml/toml_reader.h"
 
 namespace gnomon::study {

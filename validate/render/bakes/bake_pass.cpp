@@ -12,6 +12,7 @@
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
 #include "render/passes/drawing.h"
+#include "render/passes/loop_check.h"
 #include "render/passes/method_program.h"
 
 namespace gnomon::render {
@@ -94,6 +95,19 @@ void requireNumbers(const std::string& method, const MethodBake& bake, int width
       method, bake.name, *wrong, texel % width, texel / width, layer));
 }
 
+/// @param ended  what endlessStage draws, four values a texel
+void requireEnds(const std::string& method, const MethodBake& bake,
+                 const std::vector<float>& ended) {
+  const auto count =
+      std::count_if(ended.begin(), ended.end(), [](float one) { return one > 0; }) / 4;
+  if (count == 0) return;
+  throw InputError(
+      fmt::format("method {}: bake `{}`: its loops turn {} times or more at {} of {} texels, fewer "
+                  "expected: is "
+                  "one without an end?",
+                  method, bake.name, mostLoopTurns, count, ended.size() / 4));
+}
+
 /// Values as shares of the range that their codes stand for.
 std::vector<float> sharesOf(const MethodBake& bake, const std::vector<float>& values) {
   if (bake.ranges.empty()) return values;
@@ -149,7 +163,7 @@ void requireBakeSizes(const Method& method, glm::ivec2 map) {
 }
 
 BakePass::BakePass(const std::filesystem::path& shaders, const Method& method, relief::Wrap wrap,
-                   TableFilter filter, const std::map<std::string, double>& values)
+                   TableFilter filter, const std::map<std::string, double>& values, bool endsLoops)
     : name_(method.name),
       tables_(method.tables),
       bakes_(method.bakes),
@@ -157,9 +171,13 @@ BakePass::BakePass(const std::filesystem::path& shaders, const Method& method, r
       textures_(method.textures),
       pictures_(gpuTextures(method)) {
   const std::map<std::string, double> all = parameterValues(method, values);
-  program_ = makeMethodProgram(shaders, method, bakeStage(shaders, method),
-                               methodDefines(method, wrap, filter));
+  const std::vector<std::string> defines = methodDefines(method, wrap, filter);
+  program_ = makeMethodProgram(shaders, method, bakeStage(shaders, method), defines);
   setParameters(program_.name(), method, all);
+  if (endsLoops) {
+    check_ = makeMethodProgram(shaders, method, endlessStage(bakeStage(shaders, method)), defines);
+    setParameters(check_->name(), method, all);
+  }
   for (const auto& [name, value] : all) {
     if (glGetUniformLocation(program_.name(), name.c_str()) >= 0) used_.emplace(name, value);
   }
@@ -168,7 +186,6 @@ BakePass::BakePass(const std::filesystem::path& shaders, const Method& method, r
 std::vector<StoredBake> BakePass::bake(const BakeScene& scene, const GpuTables& tables,
                                        const Progress& progress) const {
   const glm::ivec2 map = scene.heights.size();
-  const GLuint program = program_.name();
   const gl::Texture nothing = makeNoNumber(GL_TEXTURE_2D_ARRAY);
   const gl::Texture noTarget = makeNoNumber(GL_TEXTURE_2D);
   const double all = texelsOf(bakes_, map);
@@ -185,9 +202,7 @@ std::vector<StoredBake> BakePass::bake(const BakeScene& scene, const GpuTables& 
       values.reserve(static_cast<std::size_t>(stored.width) *
                      static_cast<std::size_t>(stored.height) *
                      static_cast<std::size_t>(stored.channels));
-      for (int row = 0; row < stored.height;) {
-        const int count = std::min(rows.rows(), stored.height - row);
-        const auto start = std::chrono::steady_clock::now();
+      const auto drawRows = [&](GLuint program, int row, int count) {
         // Whoever watches may have drawn something else meanwhile.
         setRelief(program, scene.heights, scene.heightSpace, scene.texelsPerHeight);
         setUniform(program, "lightDirection", Vec3(NAN));
@@ -206,7 +221,13 @@ std::vector<StoredBake> BakePass::bake(const BakeScene& scene, const GpuTables& 
         setUniform(program, "bakeStep",
                    glm::vec2(glm::dvec2(map) / glm::dvec2(stored.width, stored.height)));
         setUniform(program, "bakeCorner", glm::vec2(0, row));
-        appendTexels(strip.draw(program, count), stored.channels, values);
+        return strip.draw(program, count);
+      };
+      for (int row = 0; row < stored.height;) {
+        const int count = std::min(rows.rows(), stored.height - row);
+        if (check_) requireEnds(name_, bake, drawRows(check_->name(), row, count));
+        const auto start = std::chrono::steady_clock::now();
+        appendTexels(drawRows(program_.name(), row, count), stored.channels, values);
         throwOnGlError("baking a table of a method");
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
         rows.took(taken.count());

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,11 @@ struct BakeScene {
 /// The functions of a method that bake its own tables, compiled.
 class BakePass {
  public:
-  /// @param values  as of MethodPass
+  /// @param values     as of MethodPass
+  /// @param endsLoops  whether loops are counted before anything is baked, see LoopCheck
   /// @throws InputError as MethodPass
   BakePass(const std::filesystem::path& shaders, const Method& method, relief::Wrap wrap,
-           TableFilter filter, const std::map<std::string, double>& values);
+           TableFilter filter, const std::map<std::string, double>& values, bool endsLoops = false);
 
   /// The parameters that may change the bakes, with their values: those that the driver did not
   /// find unused.
@@ -37,7 +39,8 @@ class BakePass {
   /// Bakes every table of the method, in the order of its declaration, some rows at a time: no
   /// command to the GPU takes long, whatever the function.
   /// @param tables  those that the method declares, but for its bakes
-  /// @throws InputError where a value is no finite number, or a bake is larger than OpenGL takes;
+  /// @throws InputError where a value is no finite number, a loop does not end, or a bake is larger
+  /// than OpenGL takes;
   ///   MemoryError where it cannot be held
   [[nodiscard]] std::vector<StoredBake> bake(const BakeScene& scene, const GpuTables& tables,
                                              const Progress& progress = {}) const;
@@ -51,6 +54,7 @@ class BakePass {
   std::vector<GpuTexture> pictures_;
   std::map<std::string, double> used_;
   gl::Program program_;
+  std::optional<gl::Program> check_;  ///< of its loops
 };
 
 /// Bakes on the GPU, as a method reads them.

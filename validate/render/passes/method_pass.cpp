@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
@@ -24,6 +25,7 @@ constexpr std::uint8_t testShadowed = 1;
 constexpr std::uint8_t drawnShadowed = 2;
 constexpr std::uint8_t noAnswer = 4;
 constexpr std::uint8_t metOtherChart = 8;
+constexpr int firstFault = 4;  // the first bit of AnswerFault
 
 double share(std::ptrdiff_t some, std::ptrdiff_t all) {
   return all > 0 ? static_cast<double>(some) / static_cast<double>(all) : 0;
@@ -39,8 +41,22 @@ Mask maskOf(const RenderView& view, const std::vector<std::uint8_t>& answers, st
   return mask;
 }
 
-/// A sample's shares are 0 to 1, its texels 0 or more; this is where there is no sample.
+/// A sample's shares are 0 to 1, its texels 0 or more; this is where there is no sample. What is no
+/// answer is less, by its AnswerFault.
 constexpr float noShare = -1;
+
+/// The samples whose value tells faults.
+/// @param faultsOf  of a value; 0 for none
+template <typename Value, typename FaultsOf>
+std::vector<FaultySample> faultySamples(const std::vector<Value>& values,
+                                        const FaultsOf& faultsOf) {
+  std::vector<FaultySample> faulty;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto faults = static_cast<std::uint8_t>(faultsOf(values[i]));
+    if (faults != 0) faulty.push_back({i, faults});
+  }
+  return faulty;
+}
 
 Visibility visibilityOf(const RenderView& view, std::vector<float> shares) {
   std::replace(shares.begin(), shares.end(), noShare, noSample);
@@ -54,17 +70,6 @@ Visibility visibilityOf(const Mask& mask) {
     visibility.shares[i] = mask.samples[i] == Shade::lit ? 1.0F : 0.0F;
   }
   return visibility;
-}
-
-/// The passes of a method's own, and first the one that `passes = ["texture"]` asks for.
-std::vector<OwnPass> ownPasses(const Method& method) {
-  std::vector<OwnPass> passes = method.passes.own;
-  if (!method.passes.texture) return passes;
-  for (OwnPass& pass : passes) {
-    if (pass.source) ++*pass.source;
-  }
-  passes.insert(passes.begin(), resolvePass());
-  return passes;
 }
 
 /// A pass that resolves texels keeps its values in the bits of the angles that it reads; without
@@ -182,11 +187,12 @@ std::uint64_t MethodPass::passBytes(const RenderView* view, const Drawing& drawi
 class MethodPass::Frame {
  public:
   Frame(const MethodPass& pass, const RenderView& view, const Drawing& drawing,
-        const GpuTables& tables)
+        const GpuTables& tables, const LoopCheck* check = nullptr)
       : pass_(pass),
         view_(view),
         drawing_(drawing),
         tables_(tables),
+        check_(check),
         isShare_(pass.answersInShares(drawing)),
         held_(pass.targets_ ? *pass.targets_ : own_),
         answers_(held_.get(view.width, view.height,
@@ -255,26 +261,31 @@ class MethodPass::Frame {
     const auto samples = std::count_if(bits.begin(), bits.end(),
                                        [](std::uint8_t answer) { return answer != noAnswer; });
     return {maskOf(view_, bits, drawnShadowed), maskOf(view_, bits, testShadowed),
-            share(met, samples)};
+            share(met, samples),
+            faultySamples(bits, [](std::uint8_t answer) { return answer >> firstFault; })};
   }
 
-  /// The texels that a sample's answer reads, the mean, once its passes are drawn.
-  [[nodiscard]] double texels(const TexelCounter& counter) const {
+  /// What a program counts for every sample's answer, once its passes are drawn; `noShare` where
+  /// there is no sample.
+  [[nodiscard]] std::vector<float> counted(GLuint program) const {
     const Target& counts = held_.get(view_.width, view_.height, {GL_R32F});
     counts.clearDepth();
     clearShares(counts, 1);
-    drawAnswers(counter.program(), counts);
-    return meanOfSamples(counts.read<float>(0, GL_RED, GL_FLOAT, 1));
+    drawAnswers(program, counts);
+    return counts.read<float>(0, GL_RED, GL_FLOAT, 1);
   }
 
   [[nodiscard]] VisibilityAnswers shares() const {
     const auto drawn = answers_.read<float>(0, GL_RED, GL_FLOAT, 1);
+    std::vector<float> test = answers_.read<float>(1, GL_RED, GL_FLOAT, 1);
+    std::vector<FaultySample> faulty = faultySamples(
+        test, [](float value) { return value < noShare ? std::lround(noShare - value) : 0; });
+    for (const FaultySample& sample : faulty) test[sample.sample] = 0;
     const auto met = answers_.read<std::uint8_t>(2, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1);
     const auto samples =
         std::count_if(drawn.begin(), drawn.end(), [](float answer) { return answer != noShare; });
-    return {visibilityOf(view_, drawn),
-            visibilityOf(view_, answers_.read<float>(1, GL_RED, GL_FLOAT, 1)),
-            share(std::count(met.begin(), met.end(), std::uint8_t{1}), samples)};
+    return {visibilityOf(view_, drawn), visibilityOf(view_, std::move(test)),
+            share(std::count(met.begin(), met.end(), std::uint8_t{1}), samples), std::move(faulty)};
   }
 
  private:
@@ -349,9 +360,26 @@ class MethodPass::Frame {
   }
 
   void drawOwn(std::size_t place) const {
+    if (check_ != nullptr) requireEnds(place);
+    drawOwn(place, pass_.ownPrograms_[place].name(), pass_.own_[place].clear);
+    targets_[place].makeMips();
+  }
+
+  /// Refuses a pass whose loops do not end.
+  void requireEnds(std::size_t place) const {
+    drawOwn(place, check_->pass(place), {});
+    const std::vector<float> ended = targets_[place].read<float>(0, GL_RED, GL_FLOAT, 1);
+    const auto count = std::count_if(ended.begin(), ended.end(), [](float one) { return one > 0; });
+    if (count == 0) return;
+    throw InputError(
+        fmt::format("the loops of its pass `{}` turn {} times or more at {} texels, "
+                    "fewer expected",
+                    pass_.own_[place].name, mostLoopTurns, count));
+  }
+
+  void drawOwn(std::size_t place, GLuint program, const std::array<float, 4>& clear) const {
     const OwnPass& own = pass_.own_[place];
     const Target& target = targets_[place];
-    const GLuint program = pass_.ownPrograms_[place].name();
     const RenderView& view = viewOf(own.root);
     setInputs(program, view);
     bindPasses(program, place);
@@ -360,13 +388,12 @@ class MethodPass::Frame {
       glViewport(0, 0, target.width(), target.height());
       drawPlane(program);
     } else {
-      glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, own.clear.data());
+      glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, clear.data());
       target.clearDepth();
       const bool isLight = own.raster == PassRaster::light;
       drawMesh(target, program, view, isLight ? seenFromLight() : drawing_.mesh,
                isLight ? Sides::both : Sides::front);
     }
-    target.makeMips();
   }
 
   void setInputs(GLuint program, const RenderView& view) const {
@@ -421,6 +448,7 @@ class MethodPass::Frame {
   const RenderView& view_;
   const Drawing& drawing_;
   const GpuTables& tables_;
+  const LoopCheck* check_;  ///< of the passes, before each is drawn; null for none
   RenderView light_;
   std::vector<Target> targets_;  ///< of the method's own passes
   std::optional<Target> depth_;
@@ -463,8 +491,9 @@ VisibilityAnswers MethodPass::renderVisibility(const RenderView& view, const Dra
                                                const GpuTables& tables,
                                                const FrameDrawer& drawer) const {
   if (!answersInShares(drawing)) {
-    const MethodAnswers answers = render(view, drawing, tables, drawer);
-    return {visibilityOf(answers.drawn), visibilityOf(answers.test), answers.otherChartShare};
+    MethodAnswers answers = render(view, drawing, tables, drawer);
+    return {visibilityOf(answers.drawn), visibilityOf(answers.test), answers.otherChartShare,
+            std::move(answers.faulty)};
   }
   const Frame frame(*this, view, drawing, tables);
   drawBy(drawer, frame);
@@ -472,6 +501,22 @@ VisibilityAnswers MethodPass::renderVisibility(const RenderView& view, const Dra
   VisibilityAnswers answers = frame.shares();
   throwOnGlError("rendering a method's shares of light");
   return answers;
+}
+
+std::vector<std::size_t> MethodPass::endlessSamples(const RenderView& view, const Drawing& drawing,
+                                                    const GpuTables& tables,
+                                                    const LoopCheck& check) const {
+  Drawing answered = drawing;
+  if (!answersInShares(drawing)) answered.lightRadius = 0;
+  const Frame frame(*this, view, answered, tables, &check);
+  frame.drawPasses();
+  const std::vector<float> turns = frame.counted(check.answer());
+  throwOnGlError("counting the turns of a method's loops");
+  std::vector<std::size_t> endless;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    if (turns[i] >= static_cast<float>(mostLoopTurns)) endless.push_back(i);
+  }
+  return endless;
 }
 
 FrameCosts MethodPass::frameCosts(const RenderView& view, const Drawing& drawing,
@@ -488,7 +533,7 @@ FrameCosts MethodPass::frameCosts(const RenderView& view, const Drawing& drawing
     const auto drawView = [&] { frame.drawView(); };
     costs.still = medianFrameMilliseconds(drawView, limits, {true}, clock);
   }
-  costs.texels = frame.texels(counter);
+  costs.texels = meanOfSamples(frame.counted(counter.program()));
   throwOnGlError("counting the texels that a method reads");
   return costs;
 }

@@ -16,12 +16,26 @@
 #include "render/method.h"
 #include "render/passes/depth_pass.h"
 #include "render/passes/drawing.h"
+#include "render/passes/loop_check.h"
 #include "render/passes/method_tables.h"
 #include "render/passes/shadow_volume_pass.h"
 #include "render/passes/soft_answer.h"
 #include "render/passes/texel_counter.h"
 
 namespace gnomon::render {
+
+/// Numbers of a method that are no answer, one bit each (answers.glsl).
+enum class AnswerFault : std::uint8_t {
+  share = 1,    ///< `visibility` is no number, or not from 0 to 1
+  horizon = 2,  ///< `horizonSlope` is no number
+  normal = 4,   ///< `shadingNormal` is no unit vector
+};
+
+/// A sample at which a method's answer means nothing.
+struct FaultySample {
+  std::size_t sample;
+  std::uint8_t faults;  ///< of `AnswerFault`
+};
 
 /// A method's two answers for every sample of a view.
 struct MethodAnswers {
@@ -33,6 +47,8 @@ struct MethodAnswers {
   Mask test;
   /// The share of the samples whose answer met a texel of another chart than their own.
   double otherChartShare = 0;
+  /// In the order of the samples. A cache keeps none: such answers are refused.
+  std::vector<FaultySample> faulty = {};
 };
 
 /// A method's two answers as shares of the light's disc, 0 to 1 for every sample of a view.
@@ -44,7 +60,8 @@ struct VisibilityAnswers {
   /// What the method's `visibility` or its horizon says; of others `MethodAnswers::test` as 1 and
   /// 0.
   Visibility test;
-  double otherChartShare = 0;  ///< as of MethodAnswers
+  double otherChartShare = 0;             ///< as of MethodAnswers
+  std::vector<FaultySample> faulty = {};  ///< as of MethodAnswers
 };
 
 /// What a method's frames cost.
@@ -94,6 +111,15 @@ class MethodPass {
   [[nodiscard]] bool isWarm(const Drawing& drawing) const {
     return answersInShares(drawing) ? hasDrawnShares_ : hasDrawnMask_;
   }
+
+  /// The samples at which the loops of the answer for the drawing's light turn `mostLoopTurns`
+  /// times or more.
+  /// @param check  of the same method and settings
+  /// @throws InputError for a pass whose loops do
+  [[nodiscard]] std::vector<std::size_t> endlessSamples(const RenderView& view,
+                                                        const Drawing& drawing,
+                                                        const GpuTables& tables,
+                                                        const LoopCheck& check) const;
 
   /// Of the passes that answer for the drawing's light, a point or a disc.
   /// @param drawnIn  the time of a frame of the same view and drawing, milliseconds, if the answers

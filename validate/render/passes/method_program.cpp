@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "common/error.h"
+#include "render/compile_error.h"
 #include "render/gl_objects.h"
+#include "render/glsl_text.h"
 #include "render/passes/drawing.h"
 #include "render/program.h"
 #include "render/shared_names.h"
@@ -74,6 +77,9 @@ std::vector<ShaderPiece> methodPieces(const fs::path& shaders, const Method& met
   add("shading.glsl");
   add("answers.glsl");
   pieces.insert(pieces.end(), stage.fragment.begin(), stage.fragment.end());
+  if (stage.endsLoops) {
+    for (ShaderPiece& piece : pieces) piece.text = withEndingLoops(piece.text);
+  }
   return pieces;
 }
 
@@ -139,6 +145,16 @@ void bindOwnTextures(GLuint program, const std::vector<MethodTexture>& declared,
   }
 }
 
+std::vector<OwnPass> ownPasses(const Method& method) {
+  std::vector<OwnPass> passes = method.passes.own;
+  if (!method.passes.texture) return passes;
+  for (OwnPass& pass : passes) {
+    if (pass.source) ++*pass.source;
+  }
+  passes.insert(passes.begin(), resolvePass());
+  return passes;
+}
+
 MethodStage ownPassStage(const fs::path& shaders, const Method& method, const OwnPass& pass,
                          const std::vector<OwnPass>& passes) {
   const bool isFilter = pass.raster == PassRaster::filter;
@@ -166,8 +182,11 @@ gl::Program makeMethodProgram(const fs::path& shaders, const Method& method,
   try {
     return makeProgram({{stage.vertex}, {}, methodPieces(shaders, method, stage)}, defines);
   } catch (const InputError& error) {
-    const std::string message = error.what();
-    throw InputError(message + missingDeclaration(sharedNames(shaders), message, method, defines));
+    std::vector<SharedName> names = sharedNames(shaders);
+    for (SharedName& name : namesIn({"the declaration", declaredText(method), 1}, {})) {
+      names.push_back(std::move(name));
+    }
+    throw InputError(explainedError(error.what(), method, std::move(names), defines));
   }
 }
 

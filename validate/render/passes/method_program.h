@@ -47,6 +47,7 @@ struct MethodStage {
   ShaderPiece vertex;
   std::vector<ShaderPiece> fragment;     ///< calls the method's functions
   std::vector<ShaderPiece> before = {};  ///< stands before all that the method uses
+  bool endsLoops = false;                ///< whether loops turn while `nextTurn()` of `before`
 };
 
 /// The stage that draws the surface.
@@ -55,6 +56,9 @@ MethodStage surfaceStage(const std::filesystem::path& shaders, const char* fragm
 
 /// The stage that draws how many texels a pixel's answer reads.
 MethodStage countingStage(const std::filesystem::path& shaders);
+
+/// The passes of the method's own, and first the one that `passes = ["texture"]` asks for.
+std::vector<OwnPass> ownPasses(const Method& method);
 
 /// The stage of a pass of the method's own.
 /// @param pass  of `passes`, those of the method

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "render/bakes/bake_pass.h"
+#include "render/passes/loop_check.h"
 #include "study/run/scene/cached_fields.h"
 
 namespace gnomon::study {
@@ -33,7 +34,8 @@ std::shared_ptr<const render::BakePass> heldPass(RunScene& scene, const MethodSp
       scene.keys.program(spec, method),
       [&] {
         return std::make_shared<const render::BakePass>(
-            scene.shaders, method, scene.study.relief.field.wrap(), spec.filter, spec.parameters);
+            scene.shaders, method, scene.study.relief.field.wrap(), spec.filter, spec.parameters,
+            !isBuiltIn(spec) && render::hasLoops(method));
       },
       [](const render::BakePass&) { return programBytes; });
 }

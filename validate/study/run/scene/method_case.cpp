@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -139,6 +140,15 @@ horizon::AngleTable shootAngles(RunScene& scene, const MethodCase& method) {
       [](const horizon::AngleTable& angles) { return sizeof(float) * angles.angles.size(); });
 }
 
+/// "method "own" (mine.glsl)", and "samples of view "a" under light "b"".
+std::string nameOf(const MethodCase& method) {
+  return fmt::format("method \"{}\" ({})", method.spec->label, method.spec->file.string());
+}
+std::string samplesOf(const RunScene& scene, std::size_t view, std::size_t light) {
+  return fmt::format("samples of view \"{}\" under light \"{}\"", scene.study.views[view].name,
+                     scene.study.lights[light].name);
+}
+
 /// A method has to answer wherever the truth does: one that leaves out pixels would not be scored
 /// on them.
 void requireAnswers(const RunScene& scene, const MethodCase& method, std::size_t view,
@@ -162,10 +172,68 @@ void requireAnswers(const RunScene& scene, const MethodCase& method, std::size_t
         maskOf(method.given, scene.study, view, light).path.string(), left, samples, first % width,
         first / width));
   }
+  throw InputError(fmt::format("{}: its shader leaves out {} of {} {}, an answer for each expected",
+                               nameOf(method), left, samples, samplesOf(scene, view, light)));
+}
+
+/// Counts the samples of a truth, and those of them that a list holds.
+/// @param placeOf  of an entry of the list
+template <typename List, typename PlaceOf>
+std::pair<std::size_t, std::size_t> countOf(const Mask& truth, const List& list,
+                                            const PlaceOf& placeOf) {
+  const auto isSample = [](Shade shade) { return shade != Shade::none; };
+  const auto found = std::count_if(list.begin(), list.end(), [&](const auto& entry) {
+    return isSample(truth.samples[placeOf(entry)]);
+  });
+  const auto all = std::count_if(truth.samples.begin(), truth.samples.end(), isSample);
+  return {static_cast<std::size_t>(found), static_cast<std::size_t>(all)};
+}
+
+/// A number that is none, or means nothing, is no answer.
+void requireNumbers(const RunScene& scene, const MethodCase& method, std::size_t view,
+                    std::size_t light, const std::vector<render::FaultySample>& faulty) {
+  const Mask& truth = method.base->views[view].truths[light].mask;
+  for (const auto& [fault, what] :
+       {std::pair(render::AnswerFault::share,
+                  "`visibility` is no number or not from 0 to 1 at {} of {} {}, a number from 0 to "
+                  "1 expected"),
+        std::pair(render::AnswerFault::horizon,
+                  "`horizonSlope` is no number at {} of {} {}, a number expected"),
+        std::pair(render::AnswerFault::normal,
+                  "`shadingNormal` is no unit vector at {} of {} {}, length 1 expected")}) {
+    std::vector<render::FaultySample> of;
+    std::copy_if(faulty.begin(), faulty.end(), std::back_inserter(of),
+                 [bit = static_cast<unsigned>(fault)](const render::FaultySample& sample) {
+                   return (sample.faults & bit) != 0;
+                 });
+    const auto [found, all] =
+        countOf(truth, of, [](const render::FaultySample& sample) { return sample.sample; });
+    if (found == 0) continue;
+    throw InputError(nameOf(method) + ": its " +
+                     fmt::format(fmt::runtime(what), found, all, samplesOf(scene, view, light)));
+  }
+}
+
+/// Draws nothing that does not end: the methods that come with the program do, which a test holds.
+void requireEnds(RunScene& scene, const MethodCase& method, const CompiledMethod& ready,
+                 const render::Drawing& drawing, std::size_t view, std::size_t light) {
+  if (isBuiltIn(*method.spec) || !render::hasLoops(method.method)) return;
+  const auto check = heldPass<render::LoopCheck>(scene, method);
+  std::vector<std::size_t> endless;
+  try {
+    endless =
+        ready.pass->endlessSamples(method.base->views[view].view, drawing, ready.tables, *check);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: under light \"{}\" {}", nameOf(method),
+                                 scene.study.lights[light].name, error.what()));
+  }
+  const Mask& truth = method.base->views[view].truths[light].mask;
+  const auto [found, all] = countOf(truth, endless, [](std::size_t sample) { return sample; });
+  if (found == 0) return;
   throw InputError(fmt::format(
-      "method \"{}\" ({}): its shader leaves out {} of {} samples of view "
-      "\"{}\", an answer for each expected",
-      method.spec->label, method.spec->file.string(), left, samples, scene.study.views[view].name));
+      "{}: its loops turn {} times or more at {} of {} {}, fewer expected: "
+      "is one without an end?",
+      nameOf(method), render::mostLoopTurns, found, all, samplesOf(scene, view, light)));
 }
 
 /// Times a frame by a clock.
@@ -189,10 +257,13 @@ Answers drawnBy(RunScene& scene, MethodCase& method, std::size_t view, std::size
   return scene.cache.remember(key, [&] {
     const CompiledMethod& ready = compiled(scene, method);
     const render::Drawing drawing = drawingOf(scene, method, light);
+    requireEnds(scene, method, ready, drawing, view, light);
     const bool isTimed = clock && ready.pass->isWarm(drawing);
-    return ((*ready.pass).*draw)(
+    Answers answers = ((*ready.pass).*draw)(
         method.base->views[view].view, drawing, ready.tables,
         isTimed ? timedBy(*clock, method.compiled->frameMs) : render::FrameDrawer());
+    requireNumbers(scene, method, view, light, answers.faulty);
+    return answers;
   });
 }
 

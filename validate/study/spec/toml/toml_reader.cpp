@@ -9,10 +9,10 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
+#include "common/text/nearest_name.h"
 #include "common/text/one_line.h"
 #include "common/text/toml_nesting.h"
 #include "common/text/utf8.h"
-#include "study/spec/toml/nearest_name.h"
 
 namespace gnomon::study {
 namespace {
@@ -75,9 +75,13 @@ void TomlReader::mismatch(const toml::node& node, std::string_view key,
       fmt::format("{}: {} found, {} expected", place(node, key), describe(node), expected));
 }
 
-std::string TomlReader::failure(std::string_view key, const std::string& what) const {
+std::string TomlReader::placeOf(std::string_view key) const {
   const toml::node* node = table_->get(key);
-  return fmt::format("{}: {}", place(node != nullptr ? *node : *table_, key), what);
+  return place(node != nullptr ? *node : *table_, key);
+}
+
+std::string TomlReader::failure(std::string_view key, const std::string& what) const {
+  return fmt::format("{}: {}", placeOf(key), what);
 }
 
 std::string TomlReader::blamed(std::string_view key, const Error& error) const {

@@ -93,6 +93,8 @@ class TomlReader {
   /// The table as the file and the overrides have it.
   [[nodiscard]] const toml::table& written() const { return *table_; }
   [[nodiscard]] const std::string& file() const { return file_; }
+  /// "file:line: table.key".
+  [[nodiscard]] std::string placeOf(std::string_view key) const;
   /// The line of the file that this table begins in, from 1; 0 for one that an override made.
   [[nodiscard]] int line() const { return static_cast<int>(table_->source().begin.line); }
 

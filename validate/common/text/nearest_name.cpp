@@ -1,9 +1,9 @@
-#include "study/spec/toml/nearest_name.h"
+#include "common/text/nearest_name.h"
 
 #include <algorithm>
 #include <vector>
 
-namespace gnomon::study {
+namespace gnomon {
 namespace {
 
 std::size_t mistakes(std::string_view a, std::string_view b) {
@@ -49,4 +49,4 @@ std::optional<std::string> nearestName(std::string_view typed,
   return nearest;
 }
 
-}  // namespace gnomon::study
+}  // namespace gnomon

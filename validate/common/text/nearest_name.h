@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace gnomon::study {
+namespace gnomon {
 
 /// The name that a mistyped one was probably meant to be: the nearest by the number of letters that
 /// are missing, too many, wrong, or swapped with their neighbour (Damerau 1964), in at most a
@@ -15,4 +15,4 @@ namespace gnomon::study {
 std::optional<std::string> nearestName(std::string_view typed,
                                        const std::set<std::string, std::less<>>& names);
 
-}  // namespace gnomon::study
+}  // namespace gnomon

@@ -1,10 +1,10 @@
-#include "study/spec/toml/nearest_name.h"
+#include "common/text/nearest_name.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-namespace gnomon::study {
+namespace gnomon {
 namespace {
 
 const std::set<std::string, std::less<>> reliefKeys = {"height", "height_space", "radius", "wall",
@@ -38,4 +38,4 @@ TEST(NearestName, FindsNothingThatIsFarAway) {
 }
 
 }  // namespace
-}  // namespace gnomon::study
+}  // namespace gnomon
