@@ -106,6 +106,13 @@ TEST_F(Notices, PiecesTooCoarseForTheMapAreNoticedAndThoseItNamesAreNot) {
   // The same relief on finer texels is as well met by the same pieces.
   EXPECT_EQ(noticesOf(replaced(arch, "[relief]\n", "[relief]\nresample = 3\n")), notices);
   EXPECT_EQ(noticesOf(arch + "base = { subdivisions = 32 }\n").size(), 0U);
+  const std::string light =
+      replaced(arch, "name = \"shadow-volume\"\n",
+               "name = \"two-scales\"\nparameters = { light_pieces = 9, depth_side = 256 }\n");
+  const std::vector<std::string> ofLight = noticesOf(light);
+  ASSERT_EQ(ofLight.size(), 1U);
+  EXPECT_THAT(ofLight[0], HasSubstr("two-scales: the pieces of the displaced mesh that the light"));
+  EXPECT_EQ(noticesOf(replaced(light, "pieces = 9", "pieces = 32")).size(), 0U);
   EXPECT_LT(resultOf(summary("small"), "shadow-volume", "evening", "camera").at("error_rate"),
             coarse / 2);
 }
@@ -142,6 +149,64 @@ TEST_F(Notices, ChartsThatOverlapAreNoticedWithTheirShareAndRefusedForSolids) {
   // 8 of 24 columns of texels.
   EXPECT_THAT(refused.err, HasSubstr("33.3 % of the surface's texels are asked for two heights"));
   EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+}
+
+TEST_F(Notices, ALightThatRanksNothingIsNoticed) {
+  const std::string sound = replaced(smallStudy(), "step = 0.25", "step = 0.05");
+  const std::vector<std::string> night =
+      noticesOf(replaced(sound, "elevation = 30", "elevation = -5"));
+  ASSERT_EQ(night.size(), 1U);
+  EXPECT_THAT(night[0], HasSubstr("Under evening the whole surface is turned from the light"));
+  const std::vector<std::string> noon =
+      noticesOf(replaced(sound, "elevation = 30", "elevation = 90"));
+  ASSERT_EQ(noon.size(), 1U);
+  EXPECT_THAT(noon[0], HasSubstr("are lit in the truth"));
+}
+
+TEST_F(Notices, TheQuickFormSaysThatItIsNotFinal) {
+  const std::vector<std::string> notices =
+      noticesOf(replaced(smallStudy(), "step = 0.25", "step = 0.05"), {"--quick"});
+  ASSERT_FALSE(notices.empty());
+  EXPECT_THAT(notices[0], HasSubstr("--quick"));
+  EXPECT_THAT(notices[0], HasSubstr("not final"));
+}
+
+TEST_F(Notices, AMapThatRepeatsOverAnOpenMeshIsNoticedAndNotTheDefault) {
+  // A bowl, out of which no ray to the light finds by itself.
+  std::string obj;
+  for (int j = 0; j <= 4; ++j) {
+    for (int i = 0; i <= 4; ++i) {
+      const int x = 8 * i - 16;
+      const int y = 8 * j - 16;
+      obj += "v " + std::to_string(x) + " " + std::to_string(y) + " " +
+             std::to_string((x * x + y * y) / 16.0) + "\nvt " + std::to_string(i / 4.0) + " " +
+             std::to_string(j / 4.0) + "\n";
+    }
+  }
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      obj += "f";
+      for (const int corner : {5 * j + i + 1, 5 * j + i + 2, 5 * j + i + 7, 5 * j + i + 6}) {
+        obj += " " + std::to_string(corner) + "/" + std::to_string(corner);
+      }
+      obj += "\n";
+    }
+  }
+  write("bowl.obj", obj);
+  const std::string bowl = replaced(
+      smallStudy(), "shape = \"plane\"\nquads = [4, 4]\nsize = [32, 32]", "mesh = \"bowl.obj\"");
+  const auto tellsIt = [](const std::vector<std::string>& notices) {
+    return std::any_of(notices.begin(), notices.end(), [](const std::string& notice) {
+      return notice.find("The map repeats past the border") != std::string::npos;
+    });
+  };
+  const auto wrap = [this]() -> std::string {
+    return summary("small").at("study").at("settings").at("relief").at("wrap");
+  };
+  EXPECT_FALSE(tellsIt(noticesOf(bowl)));
+  EXPECT_EQ(wrap(), "clamp");
+  EXPECT_TRUE(tellsIt(noticesOf(replaced(bowl, "[relief]\n", "[relief]\nwrap = \"repeat\"\n"))));
+  EXPECT_EQ(wrap(), "repeat");
 }
 
 TEST_F(Notices, ASweepTellsEachOnceAndWhereItHolds) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <regex>
 
 #include "end_to_end/support/program.h"
 #include "support/image_files.h"
@@ -60,6 +61,14 @@ TEST_F(SoftLight, IsMeasuredByTheShareThatIsSeen) {
   const nlohmann::json flip = summary("small").at("truth").at("flips").at(0);
   EXPECT_EQ(flip.at("flip_rate"), flip.at("shares").at("mae"));
   EXPECT_GE(flip.at("percentile_99"), 0);
+  EXPECT_GE(flip.at("percentile_99_9"), flip.at("percentile_99"));
+  EXPECT_GT(flip.at("percentile_99_9"), flip.at("flip_rate")) << "far more than the mean";
+  EXPECT_LE(std::abs(flip.at("brightening").get<double>()), flip.at("flip_rate").get<double>());
+  EXPECT_THAT(read("out/small/report.html"), HasSubstr("A single sample may be off by far more"));
+  // The terminal breaks lines.
+  const std::string terminal =
+      std::regex_replace(gnomon({"run", "small.toml"}).out, std::regex("\\s+"), " ");
+  EXPECT_THAT(terminal, HasSubstr("A single sample may be off by far more: 99.9 % of them"));
   EXPECT_THAT(read("out/small/metrics.csv"), HasSubstr("penumbra_width_ratio"));
   EXPECT_THAT(read("out/small/report.html"), HasSubstr("The lights are discs"));
 }

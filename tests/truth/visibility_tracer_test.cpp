@@ -274,6 +274,31 @@ TEST(ShareChange, IsMeanAndPercentileOfWhatBothHold) {
   EXPECT_DOUBLE_EQ(shareChange(a, b).mean, 0.75 / 199);
   EXPECT_DOUBLE_EQ(shareChange(a, b).percentile99, 0.25);
   EXPECT_DOUBLE_EQ(shareChange(a, a).mean, 0);
+  EXPECT_DOUBLE_EQ(shareChange(a, b).percentile999, 0.5) << "199 samples: the largest";
+  Visibility c{2000, 1, std::vector<float>(2000, 0.5F)};
+  Visibility d = c;
+  d.shares[1] = 1;
+  d.shares[2] = 0.75F;
+  EXPECT_DOUBLE_EQ(shareChange(c, d).percentile999, 0) << "2 of 2000 may exceed it";
+  d.shares[3] = 0.625F;
+  EXPECT_DOUBLE_EQ(shareChange(c, d).percentile999, 0.125);
+  EXPECT_DOUBLE_EQ(shareChange(c, d).percentile99, 0);
+}
+
+TEST(Brightening, IsTheMeanChangeOfLight) {
+  Truth fine;
+  fine.mask = {2, 2, {Shade::lit, Shade::lit, Shade::shadowed, Shade::none}};
+  Truth coarse = fine;
+  EXPECT_EQ(brightening(fine, coarse), 0);
+  coarse.mask.samples[0] = Shade::shadowed;
+  EXPECT_DOUBLE_EQ(brightening(fine, coarse), -1.0 / 3) << "coarse facets darken";
+  coarse.mask.samples[2] = Shade::lit;
+  EXPECT_EQ(brightening(fine, coarse), 0) << "as many turn lit";
+  fine.visibility = {2, 2, {1, 0.5F, 0, noSample}};
+  coarse.visibility = {2, 2, {1, 0.75F, 0.25F, noSample}};
+  EXPECT_DOUBLE_EQ(brightening(fine, coarse), 0.5 / 3);
+  coarse.mask.samples.pop_back();
+  EXPECT_THROW((void)brightening(fine, coarse), InternalError);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "relief/patch_border.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace gnomon::relief {
 namespace {
@@ -23,6 +25,26 @@ UvRange uvRange(const surface::Cage& cage) {
   return range;
 }
 
+/// Whether a map lies at most once over an axis of texture coordinates.
+bool isLaidOnce(const UvRange& range, Vec2 repeats, int axis) {
+  return range.low[axis] * repeats[axis] >= -rounding &&
+         range.high[axis] * repeats[axis] <= 1 + rounding;
+}
+
+/// Whether every edge of a cage has a face on both sides.
+bool isClosed(const surface::Cage& cage) {
+  std::map<std::pair<int, int>, int> faces;  // that an edge has
+  const std::size_t size = cage.faceSize();
+  for (std::size_t first = 0; first < cage.faceVertices.size(); first += size) {
+    for (std::size_t k = 0; k < size; ++k) {
+      const int from = cage.faceVertices[first + k];
+      const int to = cage.faceVertices[first + (k + 1) % size];
+      ++faces[std::minmax(from, to)];
+    }
+  }
+  return std::all_of(faces.begin(), faces.end(), [](const auto& edge) { return edge.second >= 2; });
+}
+
 /// Whether the first and the last face of a row, or of a column, do not meet.
 Border openEnds(const surface::LimitSurface& surface) {
   const auto grid = surface.grid();
@@ -40,11 +62,15 @@ Border borderOf(const surface::Cage& cage, const surface::LimitSurface& surface,
   const UvRange range = uvRange(cage);
   const Border open = openEnds(surface);
   const auto isBorder = [&](int axis, bool isOpen) {
-    const bool isOnce = range.low[axis] * repeats[axis] >= -rounding &&
-                        range.high[axis] * repeats[axis] <= 1 + rounding;
-    return isOnce && (wrap == Wrap::clamp || isOpen);
+    return isLaidOnce(range, repeats, axis) && (wrap == Wrap::clamp || isOpen);
   };
   return {isBorder(0, open.x), isBorder(1, open.y)};
+}
+
+Wrap defaultWrap(const surface::Cage& cage, Vec2 repeats) {
+  const UvRange range = uvRange(cage);
+  const bool isOnce = isLaidOnce(range, repeats, 0) && isLaidOnce(range, repeats, 1);
+  return isOnce && !cage.grid && !isClosed(cage) ? Wrap::clamp : Wrap::repeat;
 }
 
 }  // namespace gnomon::relief

@@ -20,4 +20,9 @@ namespace gnomon::relief {
 Border borderOf(const surface::Cage& cage, const surface::LimitSurface& surface, Wrap wrap,
                 Vec2 repeats);
 
+/// The wrap of a map whose study names none: `clamp` on a mesh from a file that is open and that
+/// the map is laid over at most once, since what `repeat` puts past its border is not there;
+/// `repeat` elsewhere. A built-in shape that is open has its border under either (borderOf).
+Wrap defaultWrap(const surface::Cage& cage, Vec2 repeats);
+
 }  // namespace gnomon::relief

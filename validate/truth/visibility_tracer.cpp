@@ -241,15 +241,36 @@ ShareChange shareChange(const Visibility& a, const Visibility& b) {
   }
   if (changes.empty()) return {};
   // In integers: ⌈0.99 n⌉ of them do not exceed it.
-  const std::size_t place = (99 * changes.size() + 99) / 100 - 1;
-  std::nth_element(changes.begin(), changes.begin() + static_cast<std::ptrdiff_t>(place),
-                   changes.end());
-  return {sum / static_cast<double>(changes.size()), changes[place]};
+  const auto percentile = [&](std::size_t perMille) {
+    const std::size_t place = (perMille * changes.size() + 999) / 1000 - 1;
+    std::nth_element(changes.begin(), changes.begin() + static_cast<std::ptrdiff_t>(place),
+                     changes.end());
+    return changes[place];
+  };
+  return {sum / static_cast<double>(changes.size()), percentile(990), percentile(999)};
 }
 
 double uncertaintyOf(const Truth& truth, const Truth& coarse) {
   return truth.isSoft() ? shareChange(truth.visibility, coarse.visibility).mean
                         : flipRate(truth.mask, coarse.mask);
+}
+
+double brightening(const Truth& truth, const Truth& coarse) {
+  if (truth.mask.size() != coarse.mask.size() || truth.isSoft() != coarse.isSoft()) {
+    throw InternalError("change of light between truths of different views");
+  }
+  double sum = 0;
+  double count = 0;
+  for (std::size_t i = 0; i < truth.mask.size(); ++i) {
+    const auto lightOf = [i](const Truth& one) {
+      return one.isSoft() ? static_cast<double>(one.visibility.shares[i])
+                          : (one.mask.samples[i] == Shade::lit ? 1.0 : 0.0);
+    };
+    if (truth.mask.samples[i] == Shade::none || coarse.mask.samples[i] == Shade::none) continue;
+    sum += lightOf(coarse) - lightOf(truth);
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
 }
 
 }  // namespace gnomon::truth

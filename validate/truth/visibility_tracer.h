@@ -59,7 +59,8 @@ Visibility traceVisibility(const SeenSurface& seen, const MicroScene& scene, con
 /// own error, where one was traced with half the directions on half the resolution of the other.
 struct ShareChange {
   double mean = 0;
-  double percentile99 = 0;  ///< the smallest |ΔV| that 99 % of the samples do not exceed
+  double percentile99 = 0;   ///< the smallest |ΔV| that 99 % of the samples do not exceed
+  double percentile999 = 0;  ///< the same of 99.9 %
 };
 /// Zeros where there is no sample.
 /// @throws InternalError for maps of different sizes
@@ -69,5 +70,10 @@ ShareChange shareChange(const Visibility& a, const Visibility& b);
 /// masks; of a light with a disc the mean of |ΔV|, where half as many directions were traced too.
 /// @throws InternalError as both
 double uncertaintyOf(const Truth& truth, const Truth& coarse);
+
+/// By how much the other truth is brighter, the mean of ΔV over the samples that both answer; of
+/// masks V is 1 where lit and 0 where shadowed. Below 0 where coarse facets darken.
+/// @throws InternalError for truths of different sizes
+double brightening(const Truth& truth, const Truth& coarse);
 
 }  // namespace gnomon::truth

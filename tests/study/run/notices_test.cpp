@@ -92,6 +92,37 @@ TEST(Notices, PiecesLongerThanTwoTexelsAreTooCoarse) {
   EXPECT_THAT(most, Not(HasSubstr("base.subdivisions =")));
 }
 
+TEST(Notices, OfALightsOwnMeshNameItsPieces) {
+  const std::string notice = coarsePiecesNotice("two-scales", 9, 256, true).value();
+  EXPECT_THAT(notice, HasSubstr("the displaced mesh that the light sees, 9 a side"));
+  EXPECT_THAT(notice, HasSubstr("Set parameters.light_pieces = 256 for"));
+}
+
+class LightNotices : public StudyFile {
+ protected:
+  /// Of a study with two lights.
+  std::vector<std::string> notices(LightCount first, LightCount second) {
+    const std::string text =
+        test::replaced(plainStudy, "[[light]]\n", "[[light]]\nname = \"high\"\n") +
+        "[[light]]\nname = \"low\"\nelevation = 5\n";
+    return lightNotices(read(text), std::vector{first, second});
+  }
+};
+
+TEST_F(LightNotices, AreOfLightsUnderWhichNextToAllSamplesAreAlike) {
+  EXPECT_EQ(notices({500, 500, 998}, {2, 998}).size(), 0U);
+  const auto dark = notices({500, 500}, {1, 999});
+  ASSERT_EQ(dark.size(), 1U);
+  EXPECT_THAT(dark[0], StartsWith("Under low at least 99.9 % of the samples are shadowed"));
+  // What is displaced may catch the light from below.
+  EXPECT_THAT(notices({500, 500}, {300, 700, 999}).at(0),
+              StartsWith("Under low the whole surface is turned from the light"));
+  const auto both = notices({999, 1}, {1000, 0});
+  ASSERT_EQ(both.size(), 1U);
+  EXPECT_THAT(both[0], StartsWith("Under “high”, “low” at least 99.9 % of the samples are lit"));
+  EXPECT_EQ(notices({1000, 0}, {0, 1000}).size(), 2U);
+}
+
 /// A torus, or the same with its inside out.
 surface::LimitSurface torus(bool isInsideOut) {
   surface::Cage cage = surface::makeTorus(30, 10, 66, 58);

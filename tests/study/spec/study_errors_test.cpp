@@ -167,8 +167,15 @@ TEST_F(StudyErrors, MissesEverySection) {
 
 TEST_F(StudyErrors, NamesFilesThatAreMissing) {
   EXPECT_THAT(failureWith({R"(relief={image="none.exr", height=1, height_space="world"})"}),
-              StartsWith("none.exr: no such file"));
-  EXPECT_THAT(failureWith({R"(surface={mesh="none.obj"})"}), StartsWith("none.obj: no such file"));
+              StartsWith("plain.toml: relief.image: none.exr: no such file"));
+  EXPECT_THAT(failureWith({R"(surface={mesh="none.obj"})"}),
+              StartsWith("plain.toml: surface.mesh: none.obj: no such file"));
+  EXPECT_THAT(
+      failureOf("shape = \"plane\"\nquads = [4, 2]\nsize = [64, 32]", "mesh = \"none.obj\""),
+      testing::MatchesRegex("plain\\.toml:[0-9]+: surface\\.mesh: none\\.obj: no such file"));
+  EXPECT_THAT(
+      failureOf("name = \"max-forsyth\"", "file = \"none.glsl\""),
+      testing::MatchesRegex("plain\\.toml:[0-9]+: method\\.0\\.file: none\\.glsl: no such file"));
   EXPECT_THAT(messageOf<InputError>([&] { (void)readStudy(file("none.toml")); }),
               HasSubstr("none.toml: no such file"));
 }

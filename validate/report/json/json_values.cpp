@@ -20,10 +20,14 @@ Json flipJson(const study::UncertaintyRecord& flip) {
                {"flip_rate", jsonNumber(flip.flipRate, "truth.flips.flip_rate")},
                {"length_error", jsonNumber(flip.lengthError, "truth.flips.length_error")},
                {"boundaries", std::move(boundaries)}};
+  if (flip.brightening) {
+    json["brightening"] = jsonNumber(flip.brightening, "truth.flips.brightening");
+  }
   if (flip.percentile99) {
     Json shares = Json::object();
     addMetrics(shares, flip.shares);
     json["percentile_99"] = jsonNumber(flip.percentile99, "truth.flips.percentile_99");
+    json["percentile_99_9"] = jsonNumber(flip.percentile999, "truth.flips.percentile_99_9");
     json["shares"] = std::move(shares);
   }
   return json;

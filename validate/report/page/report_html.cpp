@@ -93,7 +93,9 @@ Html truthSection(const study::StudyRecord& record) {
       htmlFact("Left out", fmt::format("{} samples, where the texture has no directions",
                                        groupedText(record.undefinedSamples)));
   Html content = html("<dl>\n{}</dl>\n", facts);
-  if (!truth.flips.empty()) content += htmlTable(flipTable(truth.flips));
+  if (!truth.flips.empty()) {
+    content += htmlNote(truthErrorText(truth)) + htmlTable(flipTable(truth.flips));
+  }
   if (truth.wantedUncertainty) {
     content += htmlNote(refinementText(truth)) + htmlTable(refinementTable(truth.refinement));
   }

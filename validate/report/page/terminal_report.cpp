@@ -140,13 +140,13 @@ void appendRadius(TerminalPage& page, const study::StudyRecord& record) {
   page.paragraph("Search radius " + radiusText(record.radius));
 }
 
-/// How the truth's resolution was found, where the study asks for an uncertainty.
-void appendRefinement(TerminalPage& page, const study::StudyRecord& record) {
-  const std::string text = refinementText(record.truth);
-  if (text.empty()) return;
+/// The truth's own error, and how its resolution was found where the study asks for an uncertainty.
+void appendTruth(TerminalPage& page, const study::StudyRecord& record) {
+  const std::array texts = {truthErrorText(record.truth), refinementText(record.truth)};
+  if (texts[0].empty() && texts[1].empty()) return;
   page.blank();
   page.heading("The truth");
-  page.paragraph(text, terminalIndent);
+  for (const std::string& text : texts) page.paragraph(text, terminalIndent);
 }
 
 /// Where the time went: the stages that took a hundredth of a second or more.
@@ -186,7 +186,7 @@ std::string terminalReport(const study::StudyRecord& record, bool colours) {
   page.met("Thresholds", thresholdsOf(record), thresholdFaults(record, record.name));
   appendCost(page, record);
   appendRadius(page, record);
-  appendRefinement(page, record);
+  appendTruth(page, record);
   appendTimings(page, record);
   appendCache(page, record);
   return page.text();

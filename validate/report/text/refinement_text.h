@@ -15,6 +15,11 @@ std::string radiusText(const study::RadiusRecord& radius);
 /// Empty where no uncertainty was asked for.
 std::string refinementText(const study::TruthRecord& truth);
 
+/// The truth's own error, of the view and light where it is largest: in the mean, at 99.9 % of the
+/// samples of a soft light, and whether coarse facets darken or brighten. Empty where it was not
+/// measured.
+std::string truthErrorText(const study::TruthRecord& truth);
+
 /// A flip rate in percent with three significant digits, since it may be far below a hundredth:
 /// "0.0831"; "–" for none.
 std::string flipText(std::optional<double> rate);

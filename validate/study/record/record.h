@@ -53,6 +53,10 @@ struct UncertaintyRecord {
   /// that coarser truth's V; none of a point light.
   std::optional<double> percentile99 = std::nullopt;
   std::vector<compare::Metric> shares = {};
+  std::optional<double> percentile999 = std::nullopt;  ///< as `percentile99`, of 99.9 %
+  /// By how much that coarser truth is brighter: the mean of ΔV, or the share of samples that turn
+  /// lit less the share that turn shadowed. None where the record is of no run.
+  std::optional<double> brightening = std::nullopt;
 };
 
 /// One level of a refinement to a wanted uncertainty.

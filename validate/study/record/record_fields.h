@@ -89,8 +89,9 @@ void fields(Stream& stream, T& environment) {
 
 template <typename Stream, SameAs<study::UncertaintyRecord> T>
 void fields(Stream& stream, T& flip) {
-  auto& [view, light, flipRate, lengthError, boundaries, percentile99, shares] = flip;
-  stream(view, light, flipRate, lengthError, percentile99);
+  auto& [view, light, flipRate, lengthError, boundaries, percentile99, shares, percentile999,
+         brightening] = flip;
+  stream(view, light, flipRate, lengthError, percentile99, percentile999, brightening);
   boundaryFields(stream, boundaries);
   shareFields(stream, shares);
 }

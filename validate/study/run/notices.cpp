@@ -6,9 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "compare/mask_checks.h"
 #include "compare/mask_metrics.h"
+#include "horizon/search_radius.h"
+#include "relief/patch_border.h"
+#include "study/run/scene/run_keys.h"
 #include "surface/closed_surface.h"
 #include "surface/face_texels.h"
 
@@ -31,20 +35,29 @@ std::string finerTruth(const StudySpec& study, const TruthRecord& truth) {
   return study.quick ? "Leave out --quick; or set " + change : "Set " + change;
 }
 
-/// Of the samples of all views and lights that have an answer.
-double shadowShare(const BaseCase& base) {
-  std::size_t shadowed = 0;
-  std::size_t lit = 0;
+/// One a light, over all views.
+std::vector<LightCount> countsOf(const BaseCase& base, std::size_t lights) {
+  std::vector<LightCount> counts(lights);
   for (const ViewCase& view : base.views) {
-    for (const truth::Truth& truth : view.truths) {
-      const auto& samples = truth.mask.samples;
-      shadowed +=
-          static_cast<std::size_t>(std::count(samples.begin(), samples.end(), Shade::shadowed));
-      lit += static_cast<std::size_t>(std::count(samples.begin(), samples.end(), Shade::lit));
+    for (std::size_t l = 0; l < lights; ++l) {
+      const auto& samples = view.truths[l].mask.samples;
+      const auto count = [&](Shade shade) {
+        return static_cast<std::size_t>(std::count(samples.begin(), samples.end(), shade));
+      };
+      counts[l].lit += count(Shade::lit);
+      counts[l].shadowed += count(Shade::shadowed);
+      const auto& regions = view.truths[l].regions;
+      counts[l].turned += static_cast<std::size_t>(
+          std::count(regions.begin(), regions.end(), truth::Region::beyondTerminator));
     }
   }
-  const std::size_t all = shadowed + lit;
-  return all > 0 ? static_cast<double>(shadowed) / static_cast<double>(all) : 0;
+  return counts;
+}
+
+/// Of a light's samples.
+double shareOf(std::size_t some, const LightCount& count) {
+  const std::size_t all = count.shadowed + count.lit;
+  return all > 0 ? static_cast<double>(some) / static_cast<double>(all) : 0;
 }
 
 /// A share in percent, "2.53" or "0.00012".
@@ -68,17 +81,78 @@ std::optional<std::string> uncertaintyNotice(const StudySpec& study, const Truth
       100 * truth.uncertainty, 100 * mostUncertainty, finerTruth(study, truth));
 }
 
+std::vector<std::string> lightNotices(const StudySpec& study, std::span<const LightCount> counts) {
+  constexpr double nearlyAll = 0.999;
+  std::vector<std::string> below;
+  std::vector<std::string> dark;
+  std::vector<std::string> bright;
+  for (std::size_t l = 0; l < counts.size(); ++l) {
+    const LightCount& count = counts[l];
+    const double turned = shareOf(count.turned, count);
+    const double shadowed = shareOf(count.shadowed, count);
+    std::vector<std::string>* list = turned >= nearlyAll         ? &below
+                                     : shadowed >= nearlyAll     ? &dark
+                                     : shadowed <= 1 - nearlyAll ? &bright
+                                                                 : nullptr;
+    if (list != nullptr) list->push_back(study.lights.at(l).name);
+  }
+  std::vector<std::string> notices;
+  const auto add = [&](const std::vector<std::string>& lights, const std::string& what,
+                       const char* advice) {
+    if (lights.empty()) return;
+    notices.push_back(fmt::format("Under {} {}: figures there rank no method. {}.",
+                                  labelsText(lights), what, advice));
+  };
+  const std::string most = fmt::format("at least {:g} % of the samples are", 100 * nearlyAll);
+  add(below, "the whole surface is turned from the light, which is below its horizon",
+      "Raise `light.elevation`");
+  add(dark, most + " shadowed in the truth", "Raise `light.elevation`");
+  add(bright, most + " lit in the truth", "Lower `light.elevation`, or raise `relief.height`");
+  return notices;
+}
+
+std::optional<std::string> quickNotice(const StudySpec& study) {
+  if (!study.quick) return std::nullopt;
+  return "These figures are of the quick form, --quick: a quarter of the picture's width and "
+         "height, a coarser truth, no frame times. They are not final: leave out --quick for "
+         "figures to be used.";
+}
+
+std::optional<std::string> wrapNotice(const StudySpec& study,
+                                      const surface::LimitSurface& surface) {
+  const relief::HeightField& field = study.relief.field;
+  const bool isBlind = field.wrap() == relief::Wrap::repeat && field.border() == relief::Border{} &&
+                       study.radius.bound != horizon::RadiusBound::stated &&
+                       !surface::isClosed(surface);
+  if (!isBlind) return std::nullopt;
+  relief::Relief clamped = study.relief;
+  clamped.field =
+      relief::HeightField(field.width(), field.height(), field.texels(), relief::Wrap::clamp)
+          .withBorder(
+              relief::borderOf(study.cage, surface, relief::Wrap::clamp, study.relief.repeats));
+  std::vector<Vec3> lights;
+  for (const LightSpec& light : study.lights) lights.push_back(light.lowestDirection());
+  const double shorter = horizon::searchRadius(surface, clamped, lights).texels;
+  constexpr double muchLonger = 2;
+  if (!(study.radius.texels > muchLonger * shorter)) return std::nullopt;
+  return fmt::format(
+      "The map repeats past the border of an open surface, so that tables and marches search {:g} "
+      "texels far; with relief.wrap = \"clamp\" {:g} suffice.",
+      study.radius.texels, shorter);
+}
+
 std::optional<std::string> coarsePiecesNotice(const std::string& method, int pieces,
-                                              double longestEdgeTexels) {
+                                              double longestEdgeTexels, bool isOfLight) {
   const double longest = longestEdgeTexels / pieces;
   if (!(longest > longestPieceTexels)) return std::nullopt;
   const double enough = std::ceil(longestEdgeTexels - 1e-9);
   return fmt::format(
-      "{}: the pieces of the displaced mesh, {} a side of each face, are up to {:.2g} texels long: "
-      "too coarse for the map. {}.",
-      method, pieces, longest,
+      "{}: the pieces of the displaced mesh{}, {} a side of each face, are up to {:.2g} texels "
+      "long: too coarse for the map. {}.",
+      method, isOfLight ? " that the light sees" : "", pieces, longest,
       enough <= mostPieces
-          ? fmt::format("Set base.subdivisions = {:.0f} for pieces of at most 1 texel", enough)
+          ? fmt::format("Set {} = {:.0f} for pieces of at most 1 texel",
+                        isOfLight ? "parameters.light_pieces" : "base.subdivisions", enough)
           : fmt::format("Use a surface of more faces: at most {} pieces are possible", mostPieces));
 }
 
@@ -184,12 +258,26 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
   const auto add = [&](std::optional<std::string> notice) {
     if (notice) notices.push_back(std::move(*notice));
   };
-  add(insideOutNotice(scene.surface, shadowShare(scene.standardBase())));
+  add(quickNotice(scene.study));
+  const std::vector<LightCount> counts = countsOf(scene.standardBase(), scene.study.lights.size());
+  LightCount all;
+  for (const LightCount& count : counts) {
+    all.lit += count.lit;
+    all.shadowed += count.shadowed;
+  }
+  const std::optional<std::string> insideOut =
+      insideOutNotice(scene.surface, shareOf(all.shadowed, all));
+  add(insideOut);
+  if (!insideOut) {
+    for (std::string& notice : lightNotices(scene.study, counts)) add(std::move(notice));
+  }
+  add(wrapNotice(scene.study, scene.surface));
   add(uncertaintyNotice(scene.study, truth));
   add(softNotice(scene.study));
   add(overlapNotice(*scene.layout));
   std::vector<std::string> given;
-  std::map<int, std::vector<std::string>> ofPieces;  // labels by the pieces of their mesh
+  // Labels by the pieces of their mesh, and whether the light alone sees it.
+  std::map<std::pair<int, bool>, std::vector<std::string>> ofPieces;
   std::optional<double> longestEdge;
   for (const MethodCase& method : methods) {
     if (method.isGiven()) {
@@ -197,19 +285,20 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
       add(invertedMasksNotice(scene.study, method));
     }
     add(cameraNotice(scene.study, method.spec->label, method.method));
-    const MeshChoice& mesh = method.base->choice;
-    if (mesh.kind != render::DrawnMesh::displaced) continue;
+    const std::optional<MeshChoice> ofLight = lightMeshOf(*method.spec, method.method);
+    const MeshChoice& mesh = ofLight ? *ofLight : method.base->choice;
+    if (method.isGiven() || mesh.kind != render::DrawnMesh::displaced) continue;
     if (!longestEdge) {
       // A resampled map is the same relief: its features are as wide as the texels before.
       const relief::Relief& relief = scene.study.relief;
       longestEdge =
           surface::longestEdgeTexels(scene.surface, relief.texelsPerUv()) / relief.resample;
     }
-    ofPieces[mesh.base.subdivisions].push_back(method.spec->label);
+    ofPieces[{mesh.base.subdivisions, ofLight.has_value()}].push_back(method.spec->label);
   }
   if (!given.empty()) add(givenNotice(labelsText(given)));
-  for (const auto& [pieces, labels] : ofPieces) {
-    add(coarsePiecesNotice(labelsText(labels), pieces, *longestEdge));
+  for (const auto& [mesh, labels] : ofPieces) {
+    add(coarsePiecesNotice(labelsText(labels), mesh.first, *longestEdge, mesh.second));
   }
   return notices;
 }

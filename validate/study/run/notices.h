@@ -27,8 +27,30 @@ std::optional<std::string> uncertaintyNotice(const StudySpec& study, const Truth
 /// suffices.
 /// @param method             its label, or those of all methods that draw this mesh
 /// @param longestEdgeTexels  of any face
+/// @param isOfLight          whether the light alone sees the mesh: its pieces are the parameter
+///                           `light_pieces`
 std::optional<std::string> coarsePiecesNotice(const std::string& method, int pieces,
-                                              double longestEdgeTexels);
+                                              double longestEdgeTexels, bool isOfLight = false);
+
+/// The samples of the truth under one light, over all views.
+struct LightCount {
+  std::size_t lit = 0;
+  std::size_t shadowed = 0;
+  std::size_t turned = 0;  ///< of both: the undisplaced surface is turned from the light there
+};
+
+/// Notices of the lights below the horizon of the whole surface, of those under which next to all
+/// samples are shadowed, and of those under which next to none is: they tell no method from
+/// another.
+/// @param counts  one a light
+std::vector<std::string> lightNotices(const StudySpec& study, std::span<const LightCount> counts);
+
+/// A notice that figures of the quick form are not final.
+std::optional<std::string> quickNotice(const StudySpec& study);
+
+/// A notice that a map which repeats past the border of an open mesh makes the search radius more
+/// than twice as long as the same map clamped.
+std::optional<std::string> wrapNotice(const StudySpec& study, const surface::LimitSurface& surface);
 
 /// A notice that a closed surface is turned inside out, if next to nothing is lit.
 /// @param shadowShare  of all samples of the study's own base mesh, in the truth

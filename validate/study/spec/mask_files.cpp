@@ -50,7 +50,13 @@ std::map<std::string, fs::path> masksIn(const fs::path& folder) {
 std::vector<GivenMaskFile> givenMaskFiles(const StudySpec& study, const MethodSpec& method) {
   std::vector<GivenMaskFile> masks;
   if (!method.isGiven()) return masks;
-  const std::map<std::string, fs::path> files = masksIn(method.maskFolder());
+  const std::string key = method.masksKey.empty() ? "" : method.masksKey + ": ";
+  std::map<std::string, fs::path> files;
+  try {
+    files = masksIn(method.maskFolder());
+  } catch (const InputError& error) {
+    throw InputError(key + error.what());
+  }
   const CaseNames names = caseNames(study);
   for (std::size_t v = 0; v < study.views.size(); ++v) {
     for (std::size_t l = 0; l < study.lights.size(); ++l) {
@@ -58,9 +64,9 @@ std::vector<GivenMaskFile> givenMaskFiles(const StudySpec& study, const MethodSp
       const auto file = files.find(name);
       if (file == files.end()) {
         throw InputError(fmt::format(
-            "{}: missing, the mask of method \"{}\" in view \"{}\" under light \"{}\" expected",
-            (method.maskFolder() / (name + ".png")).string(), method.label, study.views[v].name,
-            study.lights[l].name));
+            "{}{}: missing, the mask of method \"{}\" in view \"{}\" under light \"{}\" expected",
+            key, (method.maskFolder() / (name + ".png")).string(), method.label,
+            study.views[v].name, study.lights[l].name));
       }
       masks.push_back({v, l, file->second});
     }

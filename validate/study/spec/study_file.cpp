@@ -217,9 +217,10 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
   const TomlReader surface = root.table("surface");
   const TomlReader relief = root.table("relief");
   const SurfaceSection surfaceSection = readSurfaceSection(surface);
-  const ReliefSection reliefSection = readReliefSection(relief);
-  StudySpec study{header, file, sharedCage(parts, surface, surfaceSection, folder),
-                  sharedRelief(parts, relief, reliefSection, folder)};
+  ReliefSection reliefSection = readReliefSection(relief);
+  const surface::Cage& cage = sharedCage(parts, surface, surfaceSection, folder);
+  if (!relief.has("wrap")) reliefSection.wrap = relief::defaultWrap(cage, reliefSection.repeats);
+  StudySpec study{header, file, cage, sharedRelief(parts, relief, reliefSection, folder)};
   study.surfaceSection = surfaceSection;
   study.reliefSection = reliefSection;
   study.text = text.text;

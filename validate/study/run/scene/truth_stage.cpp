@@ -195,8 +195,11 @@ UncertaintyRecord measured(RunScene& scene, const truth::Truth& coarse, const Ba
       "", "", truth::uncertaintyOf(truth, coarse),
       differenceFromOne(castLengths(coarse.mask, truth, *field).ratio),
       compare::compareBoundaries(coarse.mask, truth.mask, base.views[view].layout)};
+  found.brightening = truth::brightening(truth, coarse);
   if (!truth.isSoft()) return found;
-  found.percentile99 = truth::shareChange(truth.visibility, coarse.visibility).percentile99;
+  const truth::ShareChange change = truth::shareChange(truth.visibility, coarse.visibility);
+  found.percentile99 = change.percentile99;
+  found.percentile999 = change.percentile999;
   found.shares =
       sharesMetrics(coarse.visibility, truth.visibility, base.views[view].weights, *field);
   return found;
@@ -209,7 +212,7 @@ std::vector<UncertaintyRecord> uncertaintiesOf(RunScene& scene, SurfaceOnDemand&
                                                const TruthRecord& truth, const BaseCase& base,
                                                std::size_t view) {
   const auto keyOf = [&](std::size_t light) {
-    return cache::KeyBuilder("uncertainty")
+    return cache::KeyBuilder("uncertainty and direction")
         .add("truth", scene.keys.truth(base.choice, view, light))
         .key();
   };

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path readMethodFile(const TomlReader& section, const MethodDefaults& defaults) {
-  if (section.has("file")) return defaults.folder / pathOf(section.text("file"));
+  if (section.has("file")) return namedFile(section, "file", defaults.folder);
   const std::string name = section.text("name");
   return section.blame("name", [&] { return render::methodFile(defaults.shaders, name); });
 }
@@ -60,6 +60,7 @@ MethodSpec readGivenMethod(const TomlReader& section, const MethodDefaults& defa
   section.allow({"label", "masks"});
   MethodSpec method;
   method.masks = defaults.folder / pathOf(section.text("masks"));
+  method.masksKey = section.placeOf("masks");
   method.bake = defaults.bake;
   method.base = defaults.base;
   method.label = section.has("label") ? section.text("label") : givenName(method.masks);

@@ -30,6 +30,7 @@ struct MethodSpec {
   std::filesystem::path masks = {};
   /// In a case of a sweep: the subfolder of `masks` with those of the case, named as the case is.
   std::filesystem::path maskCase = {};
+  std::string masksKey = {};  ///< "study.toml:12: method.2.masks", where `masks` is named
 
   [[nodiscard]] bool isGiven() const { return !masks.empty(); }
   /// The folder that holds the files.

@@ -125,7 +125,7 @@ relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
                         const std::filesystem::path& folder, const surface::Cage& cage) {
   const auto imageAt = [&](const ImageMap& image, double height) {
     return relief::readHeightImage(
-        folder / pathOf(image.path),
+        namedFile(section, "image", folder),
         image.isChannelNamed ? std::optional(image.channel) : std::nullopt, height, relief.wrap);
   };
   relief::HeightField field = std::visit(

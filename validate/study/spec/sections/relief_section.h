@@ -178,7 +178,9 @@ inline StudyKeys keysOf(ReliefSection& relief) {
   return {
       studyKey("height", numbers(relief.height), "of the value 1, in units of `height_space`",
                {-highestRelief, highestRelief}, required),
-      studyKey("wrap", chosenName(relief.wrap, wraps), "what lies past the map's sides"),
+      studyKey("wrap", chosenName(relief.wrap, wraps), "what lies past the map's sides", {},
+               "`\"clamp\"` for an open mesh that the map is laid over at most once, else "
+               "`\"repeat\"`"),
       studyKey("height_space", chosenName(relief.space, spaces),
                "world units, or texels (Max 1988)", {}, required),
       studyKey("repeats", numbers(relief.repeats), "times that the map is laid over u and v",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <string_view>
+#include <system_error>
 
 #include "common/error.h"
 #include "study/spec/toml/toml_text.h"
@@ -74,6 +75,15 @@ fs::path pathOf(const std::string& text) {
     if (byte) i += 2;
   }
   return bytes;
+}
+
+fs::path namedFile(const TomlReader& section, std::string_view key, const fs::path& folder) {
+  fs::path file = folder / pathOf(section.text(key));
+  std::error_code unknown;  // another fault is told by who reads the file
+  if (fs::status(file, unknown).type() == fs::file_type::not_found) {
+    section.fail(key, file.string() + ": no such file");
+  }
+  return file;
 }
 
 std::string stemText(const fs::path& file) {

@@ -4,6 +4,9 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+
+#include "study/spec/toml/toml_reader.h"
 
 namespace gnomon::study {
 
@@ -14,6 +17,12 @@ std::string pathText(const std::filesystem::path& path);
 
 /// The path that pathText wrote, to the byte.
 std::filesystem::path pathOf(const std::string& text);
+
+/// The file that a key of a study names, which must be there.
+/// @param folder  of the study
+/// @throws InputError naming study, line and key of one that is missing
+std::filesystem::path namedFile(const TomlReader& section, std::string_view key,
+                                const std::filesystem::path& folder);
 
 /// The stem of a file's name as a text: itself, or percent-encoded as in pathText.
 std::string stemText(const std::filesystem::path& file);

@@ -93,7 +93,7 @@ surface::Cage cageOf(const SurfaceSection& surface, const TomlReader& section,
                    });
                  },
                  [&](const SurfaceMesh& mesh) {
-                   return surface::readMeshFile(folder / pathOf(mesh.path), mesh.scheme);
+                   return surface::readMeshFile(namedFile(section, "mesh", folder), mesh.scheme);
                  }},
       surface);
 }
