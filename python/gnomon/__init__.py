@@ -4,7 +4,8 @@ Masks are arrays of bytes, 1 lit, 0 shadowed, 2 no answer (booleans are taken to
 the top. Under a light with a disc they are float32: the share of the disc that is seen, 0 none, 1 all of
 it, NaN no answer. Height maps are arrays (rows, columns) whose row 0 is at v = 0. Angles are degrees,
 lengths world units unless a name says texels: names and units are those of studies. Functions use all
-processors and let other threads of Python run; Ctrl-C ends each of them within a second.
+processors and let other threads of Python run; Ctrl-C ends each of them within a second, the making of a surface of a
+million faces within some three.
 
 What is wrong raises InputError (a ValueError) with one line; a machine without OpenGL NoOpenGLError;
 anything else Error.

@@ -159,8 +159,8 @@ class Result:
         sweep also for each case, with the swept keys. Beside its "value" a row has
 
         low, high    its 95 % interval, where the metric has one: the drawn error rate over all samples
-        uncertainty  of the truth in this view under this light, where the metric is a share of samples;
-                     differences below it mean nothing
+        uncertainty  of the truth in this view under this light, where the metric is a share of all
+                     samples; differences below it mean nothing
 
         and None where there is nothing of the kind."""
         cases = self.folder / "cases.csv"
@@ -192,7 +192,8 @@ class Result:
                 low, high = None, None
                 if metric == "error_rate" and is_score:
                     low, high = intervals.get((row["method"], view, light), (None, None))
-                doubt = uncertainty.get((view, light)) if metric in _SHARES else None
+                is_whole = row["region"] == "all" and metric in _SHARES
+                doubt = uncertainty.get((view, light)) if is_whole else None
                 figures = {"value": _number(text), "low": low, "high": high, "uncertainty": doubt}
                 rows.append({**about, "metric": metric, **figures})
         return rows
@@ -216,7 +217,7 @@ class Result:
 
         Raises UnknownNameError (a KeyError and an InputError) for a name that the study does not have,
         with those that it has."""
-        if "results" not in self.summary:
+        if (self.folder / "cases.csv").exists():
             raise _gnomon.InputError(
                 f"{self.folder}: a sweep found, whose figures are those of its cases: rows() has them"
             )

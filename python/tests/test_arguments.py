@@ -155,7 +155,7 @@ def test_shapes_have_the_studys_keys():
     def area(shape, **keys):
         return gnomon.atlas(gnomon.make_shape(shape, **keys), 8).weights.sum()
 
-    assert area("plane", quads=(2, 3), size=(4, 5)) == pytest.approx(20)
+    assert area("plane", quads=(2, 3), size=(4, 5)) == pytest.approx(20, rel=2e-5)
     assert area("cylinder", quads=(40, 2), curvature=0.2, size=(10, 4)) == pytest.approx(40, rel=1e-4)
     sphere = area("sphere", quads=(40, 40), curvature=1 / 7, size=(7, 14))
     assert sphere == pytest.approx(49 * 2 * math.sin(1), rel=1e-4)
