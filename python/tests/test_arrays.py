@@ -209,5 +209,5 @@ def test_masks_of_doubles_are_read_as_written(order, tmp_path):
     for tag, kind, value in tags:
         data += struct.pack(order + ("HHIHxx" if kind == 3 else "HHII"), tag, kind, 1, value)
     (tmp_path / "doubles.tif").write_bytes(data + bytes(4))
-    assert gnomon.read_mask(tmp_path / "doubles.tif").tolist() == [[0, 1], [1, 0]]
+    assert gnomon.read_mask(tmp_path / "doubles.tif").tolist() == [[1, 0], [0, 1]]
     assert gnomon.read_shares(tmp_path / "doubles.tif").tolist() == [[1, 0], [0, 1]]
