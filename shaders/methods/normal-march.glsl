@@ -77,5 +77,5 @@ float visibility(Pixel pixel, LocalLight light) {
     if (sum > highest) hidden += hardness * height_scale * (1.0 - i * each.x);
     highest = max(highest, sum);
   }
-  return 1.0 - hidden / samples;
+  return clamp(1.0 - hidden / samples, 0.0, 1.0);
 }
