@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "study/judge/distinguish.h"
 #include "study/judge/suite/suite_studies.h"
 
 namespace gnomon::study {
