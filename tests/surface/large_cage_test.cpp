@@ -12,7 +12,7 @@
 #include "common/system/memory.h"
 #include "support/sanitized.h"
 #include "surface/limit_surface.h"
-#include "surface/readers/ply_reader.h"
+#include "surface/mesh_file.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon::surface {
@@ -73,7 +73,7 @@ TEST(LargeCage, AHundredThousandFacesTakeBoundedMemory) {
       ("gnomon_large" + std::to_string(std::random_device{}()) + ".ply");
   std::ofstream(path) << triangles(hillyGrid(170, 100));
   const PeakGrowth growth;
-  const Cage cage = readPly(path);
+  const Cage cage = readMeshFile(path);
   std::filesystem::remove(path);
   ASSERT_EQ(cage.faceCount(), 3 * 2 * 170 * 100);
   const LimitSurface surface(cage);

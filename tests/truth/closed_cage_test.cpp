@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "surface/readers/obj_reader.h"
+#include "surface/mesh_file.h"
 #include "surface/texel_frame.h"
 #include "truth/closed_mesh.h"
 #include "truth/shadow_tracer.h"
@@ -31,7 +31,7 @@ void expectClosed(const MicroMesh& mesh, const Vec3& inside) {
 }
 
 surface::Cage spot() {
-  return surface::readObj(GNOMON_SCENES "/meshes/spot_control_mesh.obj");
+  return surface::readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj");
 }
 
 TEST(ClosedCage, SpotLeaksNoRayFromAnyPartOfItsBody) {

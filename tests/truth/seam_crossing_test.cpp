@@ -8,7 +8,7 @@
 #include <random>
 #include <utility>
 
-#include "surface/readers/obj_reader.h"
+#include "surface/mesh_file.h"
 #include "surface/texel_frame.h"
 #include "truth/truth_scenes.h"
 
@@ -115,7 +115,7 @@ TEST(TextureCharts, ALineCrossesWhereItIsLongEnough) {
 /// along the line against a look at all faces.
 TEST(TextureCharts, AgreesWithASearchOfAllFacesOnSpot) {
   const surface::LimitSurface surface(
-      surface::readObj(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
+      surface::readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
   const relief::Relief relief = flatRelief(256, 256);
   const TextureCharts charts(surface, relief);
   EXPECT_GT(charts.seamCount(), 50U);

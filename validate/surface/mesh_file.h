@@ -6,9 +6,11 @@
 
 namespace gnomon::surface {
 
-/// Reads a control cage by readObj or readPly, chosen by the file's extension: `.obj` or `.ply`, in
-/// either case.
-/// @throws InputError for another ending, and as they do
+/// Reads a mesh file as a control cage: by readObj or readPly, chosen by the name's ending, `.obj`
+/// or
+/// `.ply` in either case, then toCage: one rule for joining, parts and checks, whatever the format.
+/// @throws InputError for another ending, for a file that holds something else than its name says
+///   (compressed, UTF-16, another format of meshes), and as they do
 Cage readMeshFile(const std::filesystem::path& path,
                   SubdivisionScheme scheme = SubdivisionScheme::catmullClark);
 

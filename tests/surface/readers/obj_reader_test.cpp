@@ -1,4 +1,4 @@
-#include "surface/readers/obj_reader.h"
+#include "surface/mesh_file.h"
 
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>
 #include <opensubdiv/far/topologyDescriptor.h>
@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <sstream>
 
@@ -45,7 +46,7 @@ class TemporaryObj {
 
 Cage readText(const std::string& text) {
   const TemporaryObj file(text);
-  return readObj(file.path());
+  return readMeshFile(file.path());
 }
 
 void expectBadObj(const std::string& text, const std::vector<std::string>& messages) {
@@ -123,15 +124,133 @@ TEST(ReadObj, GroupsAreJoinedInOrder) {
   EXPECT_EQ(cage.faceVertices, (std::vector{0, 1, 2, 3, 1, 4, 5, 2}));
 }
 
+TEST(ReadObj, ALineOfNumbersMayGoOnInTheNext) {
+  const std::string broken =
+      "v 0 0\\\n 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 \\\r\n0\nvt 1 1\nvt 0 1\n"
+      "f 1/1 \\\n  2/2\\\n3/3 \\\n4/4\n";
+  const Cage cage = readText(broken);
+  EXPECT_EQ(cage.faceVertices, (std::vector{0, 1, 2, 3}));
+  EXPECT_EQ(cage.faceUvs, (std::vector{0, 1, 2, 3}));
+  EXPECT_EQ(cage.uvs[1], Vec2(1, 0));
+  // Messages name the line that it begins in; what follows keeps its own.
+  expectBadObj(square + "f 1/1 2/2 \\\n3/3 x/4\n", {":9:", "'x'"});
+  expectBadObj(square + "f 1/1 2/2 \\\n3/3 4/4\nv 1\n", {":11:", "1 numbers"});
+  // At the end of a path, a name or a comment it is a letter.
+  EXPECT_EQ(
+      readText("# C:\\\n" + square + "mtllib C:\\meshes\\\n" + squareFace + "o a\\\n# f 9/9 \\\n")
+          .faceCount(),
+      1);
+  EXPECT_EQ(readText(square + "f 1/1 2/2 3/3 4/4 \\").faceCount(), 1) << "the file's end";
+}
+
+/// The mesh with every face's corners as vertices of its own, as writers cut it for flat shading.
+std::string cutApart(const Cage& cage, const std::string& between = "") {
+  std::ostringstream text;
+  text.precision(17);
+  std::ostringstream faces;
+  const std::size_t size = cage.faceSize();
+  for (std::size_t corner = 0; corner < cage.faceVertices.size(); ++corner) {
+    const Vec3& p = cage.positions[static_cast<std::size_t>(cage.faceVertices[corner])];
+    const Vec2& uv = cage.uvs[static_cast<std::size_t>(cage.faceUvs[corner])];
+    text << "v " << p.x << ' ' << p.y << ' ' << p.z << "\nvt " << uv.x << ' ' << uv.y << '\n';
+    if (corner % size == 0) faces << between << 'f';
+    faces << ' ' << corner + 1 << '/' << corner + 1 << (corner % size == size - 1 ? "\n" : "");
+  }
+  return text.str() + faces.str();
+}
+
+/// For every vertex of a, its counterpart in b.
+void expectSameSurface(const Cage& a, const Cage& b) {
+  ASSERT_EQ(a.faceVertices.size(), b.faceVertices.size());
+  std::map<int, int> counterparts;
+  for (std::size_t i = 0; i < a.faceVertices.size(); ++i) {
+    const auto [found, isNew] = counterparts.emplace(a.faceVertices[i], b.faceVertices[i]);
+    ASSERT_EQ(found->second, b.faceVertices[i]) << "corner " << i;
+    const Vec3& place = a.positions[static_cast<std::size_t>(a.faceVertices[i])];
+    expectNear(place, b.positions[static_cast<std::size_t>(b.faceVertices[i])], 1e-14);
+  }
+}
+
+// Before, such a file was another surface: every face an open patch of its own.
+TEST(JoinedVertices, AMeshThatIsCutApartIsTheSameSurface) {
+  const Cage whole = readMeshFile(spotFile);  // closed: every side has a neighbour
+  const Cage joined = readText(cutApart(whole));
+  expectSameSurface(joined, whole);
+  expectSameSurface(whole, joined);
+  const auto corners = static_cast<int>(whole.faceVertices.size());
+  EXPECT_EQ(joined.joined.vertices, corners - static_cast<int>(whole.positions.size()));
+  EXPECT_EQ(joined.joined.apartEdges, 0);
+  EXPECT_EQ(whole.joined.vertices, 0);
+  // Parts are names of faces, and no cuts.
+  expectSameSurface(readText(cutApart(whole, "g a\n") + "g b\n"), whole);
+}
+
+TEST(JoinedVertices, TagsFollow) {
+  const Cage cube = cubeCage();
+  std::string text = cutApart(cube);
+  // A side of the second face, and a corner of the last.
+  const Cage creased = readText(text + "t crease 2/1/0 4 5 2.5\nt corner 1/1/0 23 1.5\n");
+  ASSERT_EQ(creased.creases.size(), 1U);
+  for (std::size_t end = 0; end < 2; ++end) {
+    EXPECT_EQ(creased.creases[0].vertices.at(end), creased.faceVertices[4 + end]);
+  }
+  EXPECT_EQ(creased.sharpVertices[0].vertex, creased.faceVertices[23]);
+}
+
+TEST(JoinedVertices, BodiesThatTouchStayApart) {
+  const Cage cube = cubeCage();
+  Cage two = cube;
+  const auto count = static_cast<int>(cube.positions.size());
+  // A second cube that has an edge in common with the first, and a third that has a vertex.
+  for (const Vec3 step : {Vec3(1, 1, 0), Vec3(-1, -1, -1)}) {
+    const Vec3 size = glm::abs(cube.positions[0]) * 2.0;
+    const auto first = static_cast<int>(two.positions.size());
+    for (const Vec3& p : cube.positions) two.positions.push_back(p + step * size);
+    for (const int vertex : cube.faceVertices) two.faceVertices.push_back(first + vertex);
+    two.faceUvs.insert(two.faceUvs.end(), cube.faceUvs.begin(), cube.faceUvs.end());
+  }
+  const Cage joined = readText(cutApart(two));
+  expectSameSurface(joined, two);
+  expectSameSurface(two, joined);
+  EXPECT_EQ(joined.joined.vertices, 3 * (24 - count));
+  EXPECT_EQ(joined.joined.apartEdges, 0);
+}
+
+TEST(JoinedVertices, WhereThreeFacesMeetOrTwoRunAlikeTheyStayApart) {
+  // Three leaves on one stalk.
+  const std::string leaves =
+      "v 0 0 1\nv 0 1 1\nv 0 0 0\nv 0 1 0\nv -1 0 0\nv -1 1 0\nv 0 0 0\nv 0 1 0\n";
+  const Cage three =
+      readText(square + leaves + squareFace + "f 6/1 5/2 7/3 8/4\nf 9/1 10/2 12/3 11/4\n");
+  EXPECT_EQ(three.joined.vertices, 0);
+  EXPECT_EQ(three.joined.apartEdges, 1);
+  // The second square is turned over.
+  const std::string turned = "v 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\n";
+  const Cage alike = readText(square + turned + squareFace + "f 8/1 7/2 6/3 5/4\n");
+  EXPECT_EQ(alike.joined.vertices, 0);
+  EXPECT_EQ(alike.joined.apartEdges, 1);
+  const Cage right = readText(square + turned + squareFace + "f 5/1 6/2 7/3 8/4\n");
+  EXPECT_EQ(right.joined.vertices, 2);
+  EXPECT_EQ(right.joined.apartEdges, 0);
+}
+
+TEST(JoinedVertices, AnEdgeOfManyFacesTakesNoTime) {
+  std::string text = "vt 0 0\nvt 1 0\nvt 0 1\n";
+  for (int i = 1; i <= 20000; ++i) {
+    text += "v 0 0 0\nv 1 0 0\nv 0 1 " + std::to_string(i) + "\nf -3/1 -2/2 -1/3\n";
+  }
+  EXPECT_EQ(readText(text).joined.apartEdges, 1);
+}
+
 TEST(ReadObj, TrianglesForLoop) {
   const TemporaryObj file(square + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
-  const Cage cage = readObj(file.path(), SubdivisionScheme::loop);
+  const Cage cage = readMeshFile(file.path(), SubdivisionScheme::loop);
   EXPECT_EQ(cage.scheme, SubdivisionScheme::loop);
   EXPECT_EQ(cage.faceCount(), 2);
   EXPECT_EQ(cage.faceVertices, (std::vector{0, 1, 2, 0, 2, 3}));
   // For Catmull-Clark they are refined to three quadrilaterals each.
-  EXPECT_EQ(readObj(file.path()).faceCount(), 6);
-  expectInputError([] { readObj(spotFile, SubdivisionScheme::loop); },
+  EXPECT_EQ(readMeshFile(file.path()).faceCount(), 6);
+  expectInputError([] { readMeshFile(spotFile, SubdivisionScheme::loop); },
                    {"spot_control_mesh.obj:", "has 4 corners", "triangles only"});
 }
 
@@ -158,7 +277,7 @@ TEST(ReadObj, SpotHasTheFacesItShould) {
   ASSERT_EQ(raw.positions.size(), 3 * 188u);
   ASSERT_EQ(raw.sizes.size(), 180u);
   EXPECT_EQ(std::count(raw.sizes.begin(), raw.sizes.end(), 4), 160);
-  const Cage cage = readObj(spotFile);
+  const Cage cage = readMeshFile(spotFile);
   EXPECT_EQ(cage.faceCount(), 160 * 4 + 16 * 5 + 4 * 3);
   // Euler: V - E + F is kept by refinement. V' = V + E + F and E = 2 F' / 2 of the corners.
   const auto corners =
@@ -188,7 +307,7 @@ TEST(ReadObj, SpotLimitIsThatOfTheUnrefinedCage) {
   options.SetApproxLevelSmooth(9);
   const Bfr::RefinerSurfaceFactory<> factory(*refiner, options);
 
-  const LimitSurface refined(readObj(spotFile));
+  const LimitSurface refined(readMeshFile(spotFile));
   int child = 0;
   double worst = 0;
   double worstNormal = 0;
@@ -309,9 +428,35 @@ TEST(ReadObjErrors, NoFaces) {
 }
 
 TEST(ReadObjErrors, Unreadable) {
-  expectInputError([] { readObj("no/such/mesh.obj"); }, {"no/such/mesh.obj"});
+  expectInputError([] { readMeshFile("no/such/mesh.obj"); }, {"no/such/mesh.obj"});
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  expectInputError([&] { readObj(folder); }, {folder.string()});
+  expectInputError([&] { readMeshFile(folder); }, {folder.string()});
+}
+
+// Each was "no faces".
+TEST(ReadObjErrors, AFileOfAnotherKindIsNamed) {
+  const auto utf16 = [](const std::string& text, bool isBig, bool hasMark) {
+    std::string bytes = !hasMark ? "" : isBig ? "\xfe\xff" : "\xff\xfe";
+    for (const char c : text) bytes += isBig ? std::string{'\0', c} : std::string{c, '\0'};
+    return bytes;
+  };
+  for (const bool isBig : {false, true}) {
+    for (const bool hasMark : {false, true}) {
+      expectBadObj(utf16(square + squareFace, isBig, hasMark),
+                   {".obj: is text in UTF-16: save it as UTF-8 or ASCII"});
+    }
+  }
+  expectBadObj("\x1f\x8b\x08 and more", {".obj: is compressed (gzip): unpack it"});
+  expectBadObj(std::string("PK\x03\x04"), {"is compressed (zip)"});
+  expectBadObj(std::string("\x28\xb5\x2f\xfd"), {"is compressed (zstd)"});
+  expectBadObj(
+      "\xfd"
+      "7zXZ",
+      {"is compressed (xz)"});
+  expectBadObj("BZh9", {"is compressed (bzip2)"});
+  expectBadObj("glTF\x02", {"is a binary glTF: export the mesh as OBJ or PLY"});
+  expectBadObj("solid ball\nfacet\n", {"is an STL"});
+  expectBadObj("ply\nformat ascii 1.0\n", {"is a PLY: a name that ends in .ply expected"});
 }
 
 TEST(ReadObjErrors, Indices) {
@@ -473,7 +618,7 @@ TEST(ObjReader, FacesKeepTheirPartsWhenTheyAreCut) {
   }
   const TemporaryObj triangles(square + "v 2 0 0\nv 3 0 0\nv 3 1 0\no a\nf 1/1 2/2 3/3\n" +
                                "o b\nf 5/1 6/2 7/3\n");
-  const Cage loop = readObj(triangles.path(), SubdivisionScheme::loop);
+  const Cage loop = readMeshFile(triangles.path(), SubdivisionScheme::loop);
   EXPECT_EQ(loop.limitFaceParts(), (std::vector<int>{0, 0, 0, 1, 1, 1}));
 }
 

@@ -1,4 +1,4 @@
-#include "surface/readers/ply_reader.h"
+#include "surface/mesh_file.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,8 +10,6 @@
 
 #include "common/files/atomic_file.h"
 #include "surface/limit_surface.h"
-#include "surface/mesh_file.h"
-#include "surface/readers/obj_reader.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon::surface {
@@ -44,7 +42,7 @@ class TemporaryPly {
 Cage readBytes(const std::string& bytes,
                SubdivisionScheme scheme = SubdivisionScheme::catmullClark) {
   const TemporaryPly file(bytes);
-  return readPly(file.path(), scheme);
+  return readMeshFile(file.path(), scheme);
 }
 
 void expectBadPly(const std::string& bytes, const std::vector<std::string>& messages) {
@@ -138,7 +136,7 @@ void expectSame(const Cage& cage, const Cage& expected) {
 }
 
 TEST(ReadPly, SpotIsTheSameInEveryFormatAsInItsObj) {
-  const Cage expected = readObj(spotPath);  // 732 quadrilaterals, seams
+  const Cage expected = readMeshFile(spotPath);  // 732 quadrilaterals, seams
   for (const std::string& format : formats) {
     SCOPED_TRACE(format);
     expectSame(readBytes(plyOf(expected, format)), expected);
@@ -174,13 +172,15 @@ TEST(ReadPly, VerticesThatASeamCutsApartAreJoined) {
   }
 }
 
-TEST(ReadPly, VerticesStayApartWhereFacesBringTheirOwnCoordinates) {
+TEST(ReadPly, VerticesAreJoinedWhereFacesBringTheirOwnCoordinates) {
   const std::string text = asciiBegin + "element vertex 8\n" + vertexXyz +
                            "element face 2\nproperty list uchar int vertex_indices\n"
                            "property list uchar float texcoord\nend_header\n"
                            "0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n2 0 0\n2 1 0\n1 1 0\n"
                            "4 0 1 2 3 8 0 0 1 0 1 1 0 1\n4 4 5 6 7 8 0 0 1 0 1 1 0 1\n";
-  EXPECT_EQ(readBytes(text).faceVertices, (std::vector{0, 1, 2, 3, 4, 5, 6, 7}));
+  const Cage cage = readBytes(text);
+  EXPECT_EQ(cage.faceVertices, (std::vector{0, 1, 2, 3, 1, 5, 6, 2}));
+  EXPECT_EQ(cage.joined.vertices, 2);
 }
 
 TEST(ReadPly, PolygonsOfAnySizeAreRefined) {
@@ -350,7 +350,9 @@ TEST(ReadPlyErrors, Text) {
   expectBadPly(text("4 4 5 6 8"), {":21: face 1", "vertex 8", "0 to 7"});
   expectBadPly(text("2 4 5"), {":21: face 1", "2 corners"});
   expectBadPly(text("0"), {":21: face 1", "0 corners"});
-  expectBadPly(text("4 1 5 6 4"), {":21: face 1", "vertex 1 twice"});  // 1 and 4 are one
+  expectBadPly(text("4 4 5 6 4"), {":21: face 1", "vertex 4 twice"});
+  // 1 and 4 are in one place: such a side without length joins nothing.
+  expectBadPly(text("4 1 5 6 4"), {":20: face 0", "vertex 1", "more than one fan"});
   expectBadPly(text("4 0 1 2 3"), {":21:", "opposite directions"});
   expectBadPly(text(""), {"row 1", "'face'", "2 rows"});
   expectBadPly(text("4 4 5 6 7\n4 4 5 6 7"), {"10 bytes after the last row"});

@@ -192,6 +192,33 @@ std::optional<std::string> otherChartNotice(std::span<const MethodRecord> method
       fmt::join(parts, ", "));
 }
 
+std::optional<std::string> joinedNotice(const surface::Cage& cage) {
+  const auto [vertices, apartEdges] = cage.joined;
+  std::string text;
+  if (vertices > 0) {
+    text = fmt::format(
+        "{} {} of the mesh file in the same place as another, where faces meet, and {} joined with "
+        "it: the surface continues there.",
+        vertices, vertices == 1 ? "vertex lies" : "vertices lie", vertices == 1 ? "was" : "were");
+  }
+  if (apartEdges > 0) {
+    text += fmt::format(
+        "{}At {} {} of the mesh file the surface does not continue: more than two faces meet there "
+        "that share no vertices, or two that run along it in the same direction.",
+        text.empty() ? "" : " ", apartEdges, apartEdges == 1 ? "edge" : "edges");
+  }
+  return text.empty() ? std::nullopt : std::optional(text);
+}
+
+std::optional<std::string> outsideMapNotice(const StudySpec& study) {
+  const auto [all, outside] = facesOfMap(study.cage, study.relief);
+  if (outside == 0) return std::nullopt;
+  return fmt::format(
+      "{} of {} faces have texture coordinates outside the map, where wrap = \"clamp\" only "
+      "continues its border: no relief is there.",
+      outside, all);
+}
+
 std::string givenNotice(const std::string& method) {
   return fmt::format(
       "{}: another program drew the masks. They have no frame time and no memory here, and the "
@@ -272,6 +299,8 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
     for (std::string& notice : lightNotices(scene.study, counts)) add(std::move(notice));
   }
   add(wrapNotice(scene.study, scene.surface));
+  add(joinedNotice(scene.study.cage));
+  add(outsideMapNotice(scene.study));
   add(uncertaintyNotice(scene.study, truth));
   add(softNotice(scene.study));
   add(overlapNotice(*scene.layout));

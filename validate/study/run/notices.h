@@ -63,6 +63,12 @@ std::optional<std::string> overlapNotice(const surface::TextureLayout& layout);
 /// A notice of the methods whose answers met texels of other charts, and at how many samples.
 std::optional<std::string> otherChartNotice(std::span<const MethodRecord> methods);
 
+/// A notice of a mesh file's vertices that were joined, and of edges that were not.
+std::optional<std::string> joinedNotice(const surface::Cage& cage);
+
+/// A notice of faces that lie outside a clamped map.
+std::optional<std::string> outsideMapNotice(const StudySpec& study);
+
 /// A notice of what the masks of another program do not tell.
 /// @param method  as above
 std::string givenNotice(const std::string& method);

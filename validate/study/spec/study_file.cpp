@@ -52,7 +52,9 @@ void requireOwnNames(const TomlReader& section, const surface::Cage& cage) {
   for (const std::string& name : judgedRegions(cage.partNames)) {
     if (names.insert(name).second) continue;
     section.fail("mesh",
-                 fmt::format("part \"{}\" found, a name that no other region has expected", name));
+                 fmt::format("an object or group of the file is named \"{}\", as a region of "
+                             "the truth is: rename it",
+                             name));
   }
 }
 

@@ -42,6 +42,16 @@ struct GridChart {
   int rows;
 };
 
+/// What was joined of a mesh file whose vertices lie at the same places: see toCage.
+struct JoinedVertices {
+  int vertices = 0;    ///< for which another one stands
+  int apartEdges = 0;  ///< edges with ends in common that stay apart: more than two faces meet
+                       ///< there, or two that run along it in the same direction
+};
+
+/// More parts are too many to report the shadows of each on each.
+constexpr std::size_t mostParts = 8;
+
 /// A control cage with face-varying texture coordinates: n = 4 corners a face for Catmull-Clark, 3
 /// for Loop. Corner k of face f is `faceVertices[n f + k]` with uv `uvs[faceUvs[n f + k]]`. Corners
 /// run counter-clockwise seen from outside; (s, t) of a quadrilateral is (0,0), (1,0), (1,1), (0,1)
@@ -60,6 +70,7 @@ struct Cage {
   /// What its parts are called, and the part of every face; both empty for a cage of one part.
   std::vector<std::string> partNames;
   std::vector<int> faceParts;
+  JoinedVertices joined;
 
   /// n: corners of a face.
   [[nodiscard]] std::size_t faceSize() const { return scheme == SubdivisionScheme::loop ? 3 : 4; }

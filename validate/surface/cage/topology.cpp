@@ -18,9 +18,6 @@ using RefinerFactory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
 
 /// Beyond it, products of derivatives would leave the range of double (and GPU floats be coarse).
 constexpr double largestCoordinate = 1e12;
-/// Time and memory for the faces about a vertex grow as the cube of their number: half a second
-/// here.
-constexpr int mostVertexFaces = 256;
 
 std::string part(const PartNames& names, const std::vector<int>& lines, std::size_t index,
                  std::string_view what) {

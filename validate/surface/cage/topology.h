@@ -14,6 +14,10 @@
 
 namespace gnomon::surface {
 
+/// Time and memory for the faces about a vertex grow as the cube of their number: half a second
+/// here.
+constexpr int mostVertexFaces = 256;
+
 /// Faces of any size, the input of makeTopologyRefiner. Faces follow each other in `faceVertices`
 /// and, corner by corner, in `faceUvs`.
 struct Polygons {

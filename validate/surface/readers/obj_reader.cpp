@@ -4,13 +4,10 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
-#include <string_view>
 
 #include "common/error.h"
-#include "common/files/atomic_file.h"
-#include "common/system/memory.h"
-#include "surface/readers/polygon_mesh.h"
 #include "surface/readers/text_line.h"
 
 namespace gnomon::surface {
@@ -18,47 +15,37 @@ namespace {
 
 /// tinyobjloader counts the corners of a face in a byte.
 constexpr std::size_t mostCorners = 255;
+constexpr const char* unnamedPart = "unnamed";
 
 /// A comment goes from # to the end of the line.
-void dropComment(std::vector<std::string_view>& tokens) {
+/// @return whether there is one
+bool dropComment(std::vector<std::string_view>& tokens) {
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const std::size_t hash = tokens[i].find('#');
     if (hash == std::string_view::npos) continue;
     tokens[i] = tokens[i].substr(0, hash);
     tokens.resize(hash == 0 ? i : i + 1);
+    return true;
   }
+  return false;
 }
 
-/// Which named part each face belongs to.
-class FaceNames {
- public:
-  void begin(const std::vector<std::string_view>& tokens) {
-    current_ = tokens.size() > 1 ? std::string(tokens[1]) : "unnamed";
-    isUsed_ = true;
+/// Whether a line of numbers goes on in the next, by a \\ at its end, which is dropped. Names and
+/// paths of other lines may end in one.
+bool dropContinuation(std::vector<std::string_view>& tokens) {
+  constexpr std::array<std::string_view, 4> keywords = {"v", "vt", "f", "t"};
+  if (tokens.empty() || !tokens.back().ends_with('\\') ||
+      std::find(keywords.begin(), keywords.end(), tokens.front()) == keywords.end()) {
+    return false;
   }
-  void addFace() { ofFaces_.push_back(current_); }
-  [[nodiscard]] bool isUsed() const { return isUsed_; }
+  tokens.back().remove_suffix(1);
+  if (tokens.back().empty()) tokens.pop_back();
+  return true;
+}
 
-  /// Gives the mesh its parts, in the order of their first faces.
-  void give(PolygonMesh& mesh) const {
-    std::vector<std::string> names;
-    std::vector<int> parts;
-    for (const std::string& name : ofFaces_) {
-      const auto found = std::find(names.begin(), names.end(), name);
-      parts.push_back(static_cast<int>(found - names.begin()));
-      if (found == names.end()) names.push_back(name);
-      if (names.size() > mostParts) return;
-    }
-    if (names.size() < 2) return;
-    mesh.partNames = std::move(names);
-    mesh.faceParts = std::move(parts);
-  }
-
- private:
-  std::string current_ = "unnamed";
-  std::vector<std::string> ofFaces_;
-  bool isUsed_ = false;
-};
+std::string partOf(const TextLine& line) {
+  return std::string(line.tokens.size() > 1 ? line.tokens[1] : unnamedPart);
+}
 
 /// The lines that matter, checked strictly. tinyobjloader reads a number that is none as 0, a "nan"
 /// too, does not tell the line of a face, and loses tags after the last group; so what it gets are
@@ -73,10 +60,11 @@ class LineReader {
   [[nodiscard]] PartNames& names() { return names_; }
   [[nodiscard]] std::vector<Crease>& creases() { return creases_; }
   [[nodiscard]] std::vector<SharpVertex>& sharpVertices() { return sharpVertices_; }
-  [[nodiscard]] const FaceNames& parts() const { return objects_.isUsed() ? objects_ : groups_; }
+  /// The object of each face, or in a file without any its group.
+  [[nodiscard]] std::vector<std::string>& parts() { return hasObjects_ ? objects_ : groups_; }
 
  private:
-  void readLine(TextLine& line);
+  void readLine(const TextLine& line);
   void readVector(const TextLine& line, std::size_t size);
   void readFace(const TextLine& line);
   /// False for a corner without texture coordinates.
@@ -89,7 +77,9 @@ class LineReader {
   PartNames names_;
   std::vector<Crease> creases_;
   std::vector<SharpVertex> sharpVertices_;
-  FaceNames objects_, groups_;
+  std::string object_ = unnamedPart, group_ = unnamedPart;  ///< that the next face is of
+  bool hasObjects_ = false;
+  std::vector<std::string> objects_, groups_;  ///< of each face
   std::size_t vertices_ = 0;
   std::size_t uvs_ = 0;
 };
@@ -100,11 +90,17 @@ void LineReader::read(std::string_view text) {
   names_.firstFace = 1;
   elements_.reserve(text.size());
   TextLines lines(names_.source, text);
-  while (auto line = lines.next()) readLine(*line);
+  while (auto line = lines.next()) {
+    while (!dropComment(line->tokens) && dropContinuation(line->tokens)) {
+      const auto more = lines.next();
+      if (!more) break;
+      line->tokens.insert(line->tokens.end(), more->tokens.begin(), more->tokens.end());
+    }
+    readLine(*line);
+  }
 }
 
-void LineReader::readLine(TextLine& line) {
-  dropComment(line.tokens);
+void LineReader::readLine(const TextLine& line) {
   if (line.tokens.empty()) return;
   const std::string_view keyword = line.tokens.front();
   if (keyword == "v") {
@@ -118,9 +114,10 @@ void LineReader::readLine(TextLine& line) {
   } else if (keyword == "t") {
     readTag(line);
   } else if (keyword == "o") {
-    objects_.begin(line.tokens);
+    object_ = partOf(line);
+    hasObjects_ = true;
   } else if (keyword == "g") {
-    groups_.begin(line.tokens);
+    group_ = partOf(line);
   }
 }
 
@@ -154,8 +151,8 @@ void LineReader::readFace(const TextLine& line) {
   }
   elements_ += '\n';
   names_.faceLines.push_back(line.number);
-  objects_.addFace();
-  groups_.addFace();
+  objects_.push_back(object_);
+  groups_.push_back(group_);
 }
 
 bool LineReader::readCorner(const TextLine& line, std::string_view token) {
@@ -226,12 +223,13 @@ PolygonMesh load(LineReader& lines) {
   std::string warning;
   std::string error;
   std::istringstream stream(lines.elements());
-  const std::string& source = lines.names().source;
   if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, nullptr,
                         false)) {
-    throw InputError(fmt::format("{}: {}", source, error.substr(0, error.find('\n'))));
+    throw InputError(
+        fmt::format("{}: {}", lines.names().source, error.substr(0, error.find('\n'))));
   }
   PolygonMesh mesh;
+  mesh.names = std::move(lines.names());
   for (std::size_t i = 0; i + 2 < attributes.vertices.size(); i += 3) {
     mesh.positions.emplace_back(attributes.vertices[i], attributes.vertices[i + 1],
                                 attributes.vertices[i + 2]);
@@ -246,26 +244,22 @@ PolygonMesh load(LineReader& lines) {
       mesh.faceUvs.push_back(index.texcoord_index);
     }
   }
-  if (mesh.faceSizes.size() != lines.names().faceLines.size()) {
-    throw InternalError(fmt::format("{}: {} faces in the file, {} read", source,
-                                    lines.names().faceLines.size(), mesh.faceSizes.size()));
+  if (mesh.faceSizes.size() != mesh.names.faceLines.size()) {
+    throw InternalError(fmt::format("{}: {} faces in the file, {} read", mesh.names.source,
+                                    mesh.names.faceLines.size(), mesh.faceSizes.size()));
   }
   mesh.creases = std::move(lines.creases());
   mesh.sharpVertices = std::move(lines.sharpVertices());
-  lines.parts().give(mesh);
+  mesh.faceNames = std::move(lines.parts());
   return mesh;
 }
 
 }  // namespace
 
-Cage readObj(const std::filesystem::path& path, SubdivisionScheme scheme) {
-  std::error_code error;
-  const auto bytes = std::filesystem::file_size(path, error);
-  // Text, its checked copy, tinyobjloader's arrays and ours, OpenSubdiv's two levels.
-  if (!error) requireMemory(30.0 * static_cast<double>(bytes), path.string());
-  LineReader lines(path.string());
-  lines.read(readFile(path));
-  return toCage(load(lines), lines.names(), scheme);
+PolygonMesh readObj(const std::string& source, std::string_view text) {
+  LineReader lines(source);
+  lines.read(text);
+  return load(lines);
 }
 
 }  // namespace gnomon::surface

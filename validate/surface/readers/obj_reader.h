@@ -1,30 +1,25 @@
 #pragma once
 
-#include <filesystem>
+#include <string>
+#include <string_view>
 
-#include "surface/cage/cage.h"
+#include "surface/readers/polygon_mesh.h"
+
+// Shared by the sources of this component; no other component includes it.
 
 namespace gnomon::surface {
 
-/// More are too many to report the shadows of each on each.
-constexpr std::size_t mostParts = 8;
-
-/// Reads a Wavefront OBJ as a control cage: n-gons kept, all groups and
-/// objects joined in one cage, whose parts they are: the objects (`o`) of a file that has any, else
-/// its groups (`g`, the first name of a line); "unnamed" before the first. Parts of one name are
-/// one. A file with one part, or more than `mostParts`, has none to tell apart. Face-varying
-/// texture coordinates, and the tags `t crease` and `t corner` that OpenSubdiv's own files use
-/// (vertices counted from 0). Borders are edgesAndCorners, whatever the file's `t
-/// interpolateboundary` says; any other tag is an error, since it would change the surface. A
-/// Catmull-Clark cage with any face that is not a quadrilateral is refined once, so that every face
-/// of the result is one; the limit surface is the same, and texture coordinates are halved
-/// linearly. On a face without texture coordinates there are no frames: all its corners get the
-/// same coordinate.
-/// @throws InputError naming file and line or face: unreadable, no faces, index out of range, a
-///   number that is malformed or not finite, texture coordinates at some corners of a face only or
-///   at no face at all, a face of more than 255 corners, for Loop's scheme a face that is no
-///   triangle, and all that LimitSurface refuses
-Cage readObj(const std::filesystem::path& path,
-             SubdivisionScheme scheme = SubdivisionScheme::catmullClark);
+/// Reads the text of a Wavefront OBJ: n-gons, face-varying texture coordinates, and the tags `t
+/// crease` and `t corner` that OpenSubdiv's own files use (vertices counted from 0). Faces are
+/// named by the objects (`o`) of a file that has any, else by its groups (`g`, the first name of a
+/// line); "unnamed" before the first. A line of numbers may go on in the next, by a \\ at its end.
+/// Borders are edgesAndCorners, whatever the file's `t interpolateboundary` says; any other tag is
+/// an error, since it would change the surface.
+/// @param source  the file, as messages name it
+/// @throws InputError naming file and line: an index that is 0 or counts back too far, a number
+/// that
+///   is malformed or not finite, texture coordinates at some corners of a face only, a face of
+///   fewer than 3 or more than 255 corners
+PolygonMesh readObj(const std::string& source, std::string_view text);
 
 }  // namespace gnomon::surface

@@ -6,17 +6,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "common/error.h"
-#include "common/files/atomic_file.h"
-#include "common/system/memory.h"
 #include "surface/readers/ply_body.h"
 #include "surface/readers/ply_header.h"
-#include "surface/readers/polygon_mesh.h"
 
 namespace gnomon::surface {
 namespace {
@@ -75,11 +70,10 @@ class MeshReader {
  public:
   MeshReader(const std::string& source, std::string_view bytes, const PlyHeader& header)
       : header_(header), body_(source, bytes, header) {
-    names_.source = source;
+    mesh_.names.source = source;
   }
 
   PolygonMesh read();
-  [[nodiscard]] const PartNames& names() const { return names_; }
 
  private:
   template <typename Take>
@@ -88,12 +82,9 @@ class MeshReader {
   void readFaces(const PlyElement& element);
   void takeVertices(const std::vector<double>& indices);
   void takeUvs(const std::vector<double>& uvs, std::size_t corners, const PlyProperty& property);
-  void useVertexUvs();
-  void joinVertices();
 
   const PlyHeader& header_;
   PlyBody body_;
-  PartNames names_;
   PolygonMesh mesh_;
   std::vector<Vec2> vertexUvs_;
   bool facesHaveUvs_ = false;
@@ -105,7 +96,7 @@ PolygonMesh MeshReader::read() {
                        [name](const PlyElement& element) { return element.name == name; });
   };
   for (const std::string_view name : {"vertex", "face"}) {
-    if (!has(name)) throw InputError(fmt::format("{}: no element '{}'", names_.source, name));
+    if (!has(name)) throw InputError(fmt::format("{}: no element '{}'", mesh_.names.source, name));
   }
   for (const PlyElement& element : header_.elements) {
     if (element.name == "vertex") {
@@ -118,8 +109,10 @@ PolygonMesh MeshReader::read() {
   }
   body_.end();
   if (!facesHaveUvs_) {
-    mesh_.faceUvs.assign(mesh_.faceVertices.size(), noUv);
-    if (!vertexUvs_.empty()) useVertexUvs();
+    const bool verticesDo = !vertexUvs_.empty();
+    mesh_.faceUvs =
+        verticesDo ? mesh_.faceVertices : std::vector<int>(mesh_.faceVertices.size(), noUv);
+    mesh_.uvs = std::move(vertexUvs_);
   }
   return std::move(mesh_);
 }
@@ -137,7 +130,7 @@ void MeshReader::readRows(const PlyElement& element, const Take& take) {
 }
 
 void MeshReader::readVertices(const PlyElement& element) {
-  const VertexLayout layout = findVertexLayout(element, names_.source);
+  const VertexLayout layout = findVertexLayout(element, mesh_.names.source);
   std::vector<double> row(element.properties.size());
   readRows(element, [&](std::size_t i, const std::vector<double>& values) {
     const PlyProperty& property = element.properties[i];
@@ -155,7 +148,7 @@ void MeshReader::readVertices(const PlyElement& element) {
 }
 
 void MeshReader::readFaces(const PlyElement& element) {
-  const FaceLayout layout = findFaceLayout(element, names_.source);
+  const FaceLayout layout = findFaceLayout(element, mesh_.names.source);
   facesHaveUvs_ = layout.uvs.has_value();
   std::vector<double> uvs;
   readRows(element, [&](std::size_t i, const std::vector<double>& values) {
@@ -168,7 +161,7 @@ void MeshReader::readFaces(const PlyElement& element) {
 
 void MeshReader::takeVertices(const std::vector<double>& indices) {
   mesh_.faceSizes.push_back(static_cast<int>(indices.size()));
-  if (body_.line() > 0) names_.faceLines.push_back(body_.line());
+  if (body_.line() > 0) mesh_.names.faceLines.push_back(body_.line());
   for (const double index : indices) {
     // `makeTopologyRefiner` knows how many vertices there are; here only what an index cannot be.
     if (!(index >= 0 && index <= std::numeric_limits<int>::max() && index == std::floor(index))) {
@@ -195,54 +188,11 @@ void MeshReader::takeUvs(const std::vector<double>& uvs, std::size_t corners,
   }
 }
 
-void MeshReader::useVertexUvs() {
-  mesh_.uvs = std::move(vertexUvs_);
-  mesh_.faceUvs = mesh_.faceVertices;
-  joinVertices();
-}
-
-/// Faces refer to the first of all vertices in the same place. The others stay, in no face, so that
-/// numbers remain the file's.
-void MeshReader::joinVertices() {
-  const auto& positions = mesh_.positions;
-  const auto place = [&positions](int vertex) {
-    const Vec3& p = positions[static_cast<std::size_t>(vertex)];
-    return std::tie(p.x, p.y, p.z);
-  };
-  std::vector<int> order(positions.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&place](int a, int b) {
-    return std::tuple_cat(place(a), std::tie(a)) < std::tuple_cat(place(b), std::tie(b));
-  });
-  std::vector<int> first(positions.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto vertex = static_cast<std::size_t>(order[i]);
-    const bool same = i > 0 && place(order[i - 1]) == place(order[i]);
-    first[vertex] = same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
-  }
-  for (int& vertex : mesh_.faceVertices) {
-    // One that there is none of is for `makeTopologyRefiner` to refuse.
-    if (static_cast<std::size_t>(vertex) < first.size()) {
-      vertex = first[static_cast<std::size_t>(vertex)];
-    }
-  }
-}
-
 }  // namespace
 
-Cage readPly(const std::filesystem::path& path, SubdivisionScheme scheme) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  // A face of a binary file may take no more than ten bytes, with its corners' vertices and texture
-  // coordinates as many again; here some hundred a corner, and OpenSubdiv's two levels.
-  constexpr double bytesPerByte = 60;
-  if (!error) requireMemory(bytesPerByte * static_cast<double>(size), path.string());
-  const std::string bytes = readFile(path);
-  const std::string source = path.string();
+PolygonMesh readPly(const std::string& source, std::string_view bytes) {
   const PlyHeader header = readPlyHeader(source, bytes);
-  MeshReader reader(source, bytes, header);
-  PolygonMesh mesh = reader.read();
-  return toCage(std::move(mesh), reader.names(), scheme);
+  return MeshReader(source, bytes, header).read();
 }
 
 }  // namespace gnomon::surface

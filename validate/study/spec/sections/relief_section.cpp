@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <limits>
+
 #include "relief/height_image.h"
 #include "relief/resampled_heights.h"
 #include "relief/solid_map.h"
@@ -151,7 +153,34 @@ relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
     field =
         section.blame("resample", [&] { return relief::resampledHeights(field, resample, scale); });
   }
-  return {std::move(field), relief.space, relief.repeats, resample};
+  relief::Relief made{std::move(field), relief.space, relief.repeats, resample};
+  const FacesOfMap faces = facesOfMap(cage, made);
+  if (faces.all > 0 && faces.outside == faces.all) {
+    section.fail("wrap",
+                 "clamp found, but the texture coordinates of all faces lie outside the map, where "
+                 "it only continues its border: the surface would be flat. repeat expected, or "
+                 "texture coordinates from 0 to 1");
+  }
+  return made;
+}
+
+FacesOfMap facesOfMap(const surface::Cage& cage, const relief::Relief& relief) {
+  FacesOfMap faces;
+  const std::size_t corners = cage.faceSize();
+  for (std::size_t begin = 0; begin < cage.faceUvs.size(); begin += corners) {
+    Vec2 low(std::numeric_limits<double>::infinity());
+    Vec2 high = -low;
+    for (std::size_t corner = begin; corner < begin + corners; ++corner) {
+      const Vec2 uv = relief.repeats * cage.uvs[static_cast<std::size_t>(cage.faceUvs[corner])];
+      low = glm::min(low, uv);
+      high = glm::max(high, uv);
+    }
+    if (low == high) continue;
+    ++faces.all;
+    const bool isOutside = high.x <= 0 || high.y <= 0 || low.x >= 1 || low.y >= 1;
+    if (isOutside && relief.field.wrap() == relief::Wrap::clamp) ++faces.outside;
+  }
+  return faces;
 }
 
 }  // namespace gnomon::study

@@ -217,12 +217,20 @@ toml::table tableOf(ReliefSection relief);
 /// What is wrong with the heights of a map, if they go beyond what `height` may be: floats may.
 std::optional<std::string> heightsFault(const relief::HeightField& field);
 
+/// The faces whose texture coordinates lie wholly outside the map, where a clamped map only
+/// continues its border; none of a map that repeats. Faces without texture coordinates are not
+/// counted.
+struct FacesOfMap {
+  std::size_t all = 0, outside = 0;
+};
+FacesOfMap facesOfMap(const surface::Cage& cage, const relief::Relief& relief);
+
 /// The relief that the section asks for.
 /// @param section  for messages
 /// @param folder   of the study: what paths are relative to
 /// @param cage     of the surface, on which a solid or a projection is sampled
 /// @throws InputError for an image, pattern or solid that cannot be; for one that is sampled on the
-///   surface as LimitSurface
+///   surface as LimitSurface; for a clamped map that no face lies in, on which nothing would rise
 relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
                         const std::filesystem::path& folder, const surface::Cage& cage);
 
