@@ -8,10 +8,10 @@ light_mesh = "displaced"
 normal = "own"
 */
 
-// surface-march sees all of the relief that a ray can meet, unless the maps end before: at a chart's
-// border or in a fold. There two-scales answers. Elsewhere only another part of the body can still hide
-// the light, which the depth map sees farther away than the march knows, by more than what such a map is
-// off by (A in parts/two_scales.glsl).
+// surface-march sees all of the relief that a ray can meet, unless the maps end before: at a chart's border
+// or in a fold. From there the march goes on as that of two-scales does, as far as the depth map may be off
+// and to the border of the chart. What else hides the light the depth map sees: all but what the march has
+// passed over and knows better.
 
 #include "parts/surface_point.glsl"
 #include "parts/surface_march.glsl"
@@ -27,10 +27,15 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   float slope;
   March march = marchToward(pixel, lightDirection, slope);
   if (march.horizon >= slope) return true;
-  if (!march.isWhole) return isHiddenAtTwoScales(pixel, light, path, piece, facet, cosine);
   DepthPlace at = depthPlaceOf(pixel, light, path, piece, facet, cosine);
-  at.place.z -= march.known / lightMapLengths.y;
-  return shareNearer(at.place, at.tilt) > 0.5;
+  float from = march.known * at.near / at.allowance;
+  float near = min(at.near, path.limit);
+  if (!march.isWhole && from < near &&
+      shadowedAtCrossings(path, crossingsFrom(path, from), endOnChart(pixel, path, near))) {
+    return true;
+  }
+  at.end = march.at.xy;
+  return shareNearer(at) > 0.5;
 }
 
 // The smaller of the march's share and the depth map's.
@@ -43,11 +48,12 @@ float visibility(Pixel pixel, LocalLight light) {
   March found;
   float share = shareMarched(pixel, light, found);
   if (share <= 0.0) return 0.0;
-  if (!found.isWhole) return min(share, shareAtTwoScales(pixel, light, path, piece, facet, cosine));
   DepthPlace at = depthPlaceOf(pixel, light, path, piece, facet, cosine);
-  float beyond = found.known / lightMapLengths.y;
+  at.end = found.at.xy;
+  if (!found.isWhole) {
+    float near = endOnChart(pixel, path, min(at.near, path.limit));
+    share = min(share, shareAtCrossings(pixel, light, path, near, bareSlope(path)));
+  }
   float reach = tan(lightRadius) * lightMapLengths.y / lightMapLengths.x;  // texels, of depth 1
-  float blocker = blockerDistances(at.place, at.tilt, reach, beyond).x;
-  at.place.z -= beyond;
-  return min(share, shareByDepth(at.place, at.tilt, reach * blocker));
+  return min(share, shareByDepth(at, reach * blockerDistances(at, reach).x));
 }

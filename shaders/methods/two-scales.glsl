@@ -12,15 +12,13 @@ normal = "own"
 #include "parts/light_depth.glsl"
 #include "parts/two_scales.glsl"
 
-// The normal of D = P + a h n with all its terms: D_x = P_x + a h_x n + a h n_x. Bump mapping leaves
-// out the last, which counts where the relief is as high as the body is thick.
+// The normal of D.
 vec3 shadingNormal(Pixel pixel) {
   Cell cell = heightCell(pixel.texel);
   float height = pixel.worldPerHeight * heightIn(cell);
   vec2 rise = pixel.worldPerHeight * gradientIn(cell);
-  vec3 alongX = pixel.px + rise.x * pixel.normal + height * turnOfNormal(pixel, pixel.px);
-  vec3 alongY = pixel.py + rise.y * pixel.normal + height * turnOfNormal(pixel, pixel.py);
-  vec3 facet = normalize(cross(alongX, alongY));
+  vec3 facet = normalize(cross(displacedSide(pixel, pixel.px, rise.x, height),
+                               displacedSide(pixel, pixel.py, rise.y, height)));
   return dot(facet, pixel.normal) < 0.0 ? -facet : facet;
 }
 

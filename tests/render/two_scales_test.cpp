@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -191,11 +192,67 @@ TEST(TwoScales, EndsItsMarchWhereThePathTwists) {
       << "its march knows where the bumps lean";
 }
 
+/// Level sheets that share a map of 64 x 64 texels, a texel one unit wide.
+struct Sheet {
+  Vec3 middle;
+  Vec2 size;   ///< multiples of 4
+  Vec2 texel;  ///< of its corner
+};
+
+surface::Cage sheetsOf(const std::vector<Sheet>& sheets) {
+  surface::Cage all;
+  for (const Sheet& sheet : sheets) {
+    const surface::Cage one =
+        surface::makePlane(sheet.size.x, sheet.size.y, static_cast<int>(sheet.size.x / 4),
+                           static_cast<int>(sheet.size.y / 4));
+    const int vertices = static_cast<int>(all.positions.size());
+    const int uvs = static_cast<int>(all.uvs.size());
+    for (const Vec3& position : one.positions) all.positions.push_back(position + sheet.middle);
+    for (const Vec2& uv : one.uvs) all.uvs.push_back((uv * sheet.size + sheet.texel) / 64.0);
+    for (const int vertex : one.faceVertices) all.faceVertices.push_back(vertex + vertices);
+    for (const int uv : one.faceUvs) all.faceUvs.push_back(uv + uvs);
+  }
+  return all;
+}
+
+/// Of a method over such sheets, in a light from +x at tan 1/3; against rays.
+double shareWrong(const char* method, const surface::Cage& cage, const relief::Relief& relief) {
+  const RenderScene scene(cage, relief, {4, 48}, horizon::TableBits::thirtyTwo);
+  const RenderView view = atlasView(scene.surface, 8);
+  const surface::SampleGrid samples = scene.samples(view);
+  const Vec3 light = glm::normalize(Vec3(3, 0, 1));
+  const Mask truth = Rays(DisplacedScene(cage, relief, 7), 7).mask(samples, light);
+  const test::Verdict verdict = judge(scene.answer(method, view, light), truth, samples);
+  return static_cast<double>(verdict.wrong) / static_cast<double>(verdict.lit + verdict.dark);
+}
+
+relief::Relief sheetRelief(const std::function<float(int, int)>& height) {
+  std::vector<float> texels;
+  for (int i = 0; i < 64 * 64; ++i) texels.push_back(height(i % 64, i / 64));
+  return {relief::HeightField(64, 64, std::move(texels), relief::Wrap::clamp),
+          relief::HeightSpace::world, Vec2(1)};
+}
+
+// A march that has passed far over its own chart knows nothing of another part of the surface that
+// is nearer: a small sheet 3 over the ground, whose bumps let the march go on for 18.
+TEST(TwoScales, SeesAnotherPartBesideItsMarch) {
+  const GlContext gl;
+  const surface::Cage cage =
+      sheetsOf({{{24, 8, 0}, {48, 16}, {0, 0}}, {{22, 8, 3}, {4, 16}, {52, 40}}});
+  const relief::Relief relief =
+      sheetRelief([](int x, int y) { return x == 44 && y == 2 ? 6.0F : 0.0F; });
+  EXPECT_GT(shareWrong("surface-march", cage, relief), 0.05) << "nothing to see";
+  EXPECT_LT(shareWrong("two-scales", cage, relief), 0.02);
+  EXPECT_LT(shareWrong("two-scales-surface", cage, relief), 0.02);
+}
+
 // The depth map is off by how long a piece is, here sixteen times its width, not by the side of a
 // square as large. On a plane `geodesic-march` is exact.
 TEST(TwoScales, KnowsHowLongAPieceIs) {
   const GlContext gl;
-  const RenderScene scene(surface::makePlane(64, 64, 64, 4), randomRelief(64, 64, 1, 3), {4, 48},
+  relief::Relief relief = randomRelief(64, 64, 1, 3);
+  relief.field = relief.field.withBorder({true, true});  // as a study has it on an open plane
+  const RenderScene scene(surface::makePlane(64, 64, 64, 4), relief, {4, 48},
                           horizon::TableBits::thirtyTwo);
   const RenderView view = atlasView(scene.surface, 4);
   const Vec3 light = lightToward(10, 15);

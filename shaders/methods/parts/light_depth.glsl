@@ -1,5 +1,10 @@
 /* gnomon-part
-passes = ["light-depth"]
+
+[[pass]]
+name = "place"
+kind = "light"
+channels = 2
+about = "the place in the map of what the light sees, texels"
 
 [parameters.light_pieces]
 default = 9
@@ -43,21 +48,65 @@ float pieceLength() {
   return sqrt(0.5 * (dot(alongS, alongS) + dot(alongT, alongT))) / (area * light_pieces);
 }
 
-// Whether a texel of the depth map is nearer to the light than the plane through place.z.
-bool isNearer(vec3 place, vec2 tilt, vec2 texel) {
-  return lightDepthOf(ivec2(texel)) < place.z + dot(tilt, texel + 0.5 - place.xy);
+vec2 passPlace(Pixel pixel, float depth) { return pixel.texel; }
+
+// Where the depth map is asked for a pixel, and what of the relief its march has passed over: a parabola
+// over the map from the pixel's place. What the light sees there the march knows better.
+struct DepthPlace {
+  vec3 place;            // in the map, A nearer to the light than the displaced point
+  vec2 tilt;             // of the plane of its facet
+  float off;             // u, world
+  float allowance;       // A, world
+  float less;            // by how much less is allowed to what is no part of the pixel's own surroundings, depth
+  float near;            // t, what of the path is lost to the map, texels
+  float texelsPerDepth;  // of the path, for a depth of 1
+  float texelsPerWorld;  // of the map, in the tangent plane
+  vec2 start, toward;    // of the march, texels
+  vec2 end;              // `start` where there was none
+};
+
+// Squared, how far a place of the map is from where the march has passed, over what it may be off: 1 is the
+// most. A blocker may be as far beside as the depth map is off, and a tenth of the way.
+float besideMarch(DepthPlace at, vec2 texel) {
+  vec2 chord = at.end - at.start;
+  float square = max(dot(chord, chord), 1e-6);
+#ifdef WRAP_REPEAT
+  vec2 closes = vec2(closingAxes(textureSize(pointPass, 0)));
+  texel -= closes * mapSize * round((texel - 0.5 * (at.start + at.end)) / mapSize);
+#endif
+  float share = clamp(dot(texel - at.start, chord) / square, 0.0, 1.0);
+  float along = sqrt(square) / max(dot(at.toward, chord) * inversesqrt(square), 0.5);
+  vec2 off = texel - at.start - share * (along * at.toward + share * (chord - along * at.toward));
+  float most = 1.0 + at.off * at.texelsPerWorld + 0.1 * share * sqrt(square);
+  return dot(off, off) / (most * most);
 }
+
+// By how much a texel of the depth map is nearer to the light than the plane through the place: in depth, 0
+// where it is not, or where the march knows.
+float nearerAt(DepthPlace at, vec2 texel) {
+  float nearer = at.place.z + dot(at.tilt, texel + 0.5 - at.place.xy) - lightDepthOf(ivec2(texel));
+  if (nearer + at.less <= 0.0) return 0.0;
+  vec2 seen = placeTexel(ivec2(texel));
+  float world = max(nearer * lightMapLengths.y + at.allowance, 0.0);
+  float way = distance(seen, at.start);
+  bool isOther = way > 4.0 * at.texelsPerWorld * (world + 2.0 * at.off);
+  nearer += isOther ? at.less : 0.0;
+  bool isPassed = at.end != at.start && world * at.texelsPerWorld < 2.0 * (way + 2.0) && besideMarch(at, seen) < 1.0;
+  return isPassed ? 0.0 : max(nearer, 0.0);
+}
+
+bool isNearer(DepthPlace at, vec2 texel) { return nearerAt(at, texel) > 0.0; }
 
 // Share of such texels about a place, with bilinear weights (percentage-closer filtering): its half is
 // a smooth outline, finer than the texels.
-float shareNearer(vec3 place, vec2 tilt) {
-  vec2 corner = floor(place.xy - 0.5);
-  vec2 fraction = place.xy - 0.5 - corner;
+float shareNearer(DepthPlace at) {
+  vec2 corner = floor(at.place.xy - 0.5);
+  vec2 fraction = at.place.xy - 0.5 - corner;
   float share = 0.0;
   for (int k = 0; k < 4; ++k) {
     vec2 step = vec2(k & 1, k >> 1);
     vec2 weight = mix(1.0 - fraction, fraction, step);
-    share += isNearer(place, tilt, corner + step) ? weight.x * weight.y : 0.0;
+    share += isNearer(at, corner + step) ? weight.x * weight.y : 0.0;
   }
   return share;
 }
@@ -71,21 +120,19 @@ float shareNearer(vec3 place, vec2 tilt) {
 // share tells how far the outline is, share - ½ texels, and the closed form for a straight edge
 // gives V.
 
-// What hides some of the light, farther away than `beyond`: its mean D and its largest, in depth; 0 where
-// nothing does.
-vec2 blockerDistances(vec3 place, vec2 tilt, float reach, float beyond) {
+// What hides some of the light: its mean D and its largest, in depth; 0 where nothing does.
+vec2 blockerDistances(DepthPlace at, float reach) {
   int count = int(search_samples);
   vec2 sum = vec2(0.0);  // number, D
   float most = 0.0;
   vec2 toward = vec2(1.0, 0.0);
   for (int k = 0; k < count; ++k) {
     float share = (float(k) + 0.5) / float(count);
-    vec2 offset = reach * place.z * share * share * toward;
+    vec2 offset = reach * at.place.z * share * share * toward;
     toward = goldenTurn(toward);
-    vec2 texel = floor(place.xy + offset);
-    float nearer = place.z - lightDepthOf(ivec2(texel));
-    bool isBlocker = isNearer(place - vec3(0.0, 0.0, beyond), tilt, texel) &&
-                     length(offset) <= reach * nearer + 1.0;
+    vec2 texel = floor(at.place.xy + offset);
+    float nearer = at.place.z - lightDepthOf(ivec2(texel));
+    bool isBlocker = isNearer(at, texel) && length(offset) <= reach * nearer + 1.0;
     sum += isBlocker ? vec2(1.0, nearer) : vec2(0.0);
     most = max(most, isBlocker ? nearer : 0.0);
   }
@@ -93,16 +140,16 @@ vec2 blockerDistances(vec3 place, vec2 tilt, float reach, float beyond) {
 }
 
 // V by the depth map, with the penumbra's radius in its texels.
-float shareByDepth(vec3 place, vec2 tilt, float radius) {
-  float outline = 0.5 - shareNearer(place, tilt);
+float shareByDepth(DepthPlace at, float radius) {
+  float outline = 0.5 - shareNearer(at);
   if (radius <= 1.0) return discShare(outline / max(radius, 1e-3));
   int count = int(filter_samples);
   float nearer = 0.0;
   vec2 toward = vec2(radius, 0.0);
   for (int k = 0; k < count; ++k) {
-    vec2 texel = floor(place.xy + sqrt((float(k) + 0.5) / float(count)) * toward);
+    vec2 texel = floor(at.place.xy + sqrt((float(k) + 0.5) / float(count)) * toward);
     toward = goldenTurn(toward);
-    nearer += isNearer(place, tilt, texel) ? 1.0 : 0.0;
+    nearer += isNearer(at, texel) ? 1.0 : 0.0;
   }
   return 1.0 - nearer / float(count);
 }

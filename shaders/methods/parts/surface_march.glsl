@@ -2,12 +2,6 @@
 tables = ["height"]
 
 [[pass]]
-name = "point"
-kind = "texture"
-channels = 3
-about = "P, world"
-
-[[pass]]
 name = "column"
 kind = "texture"
 channels = 3
@@ -39,8 +33,6 @@ about = "longest part of the way between two of its places that are solved for, 
 // at the end of the map or of the search; at the border of a chart, and where another chart has the
 // texels; and in a fold so narrow that columns of relief meet.
 
-vec3 passPoint(Pixel pixel) { return surfacePoint(pixel); }
-
 vec3 passColumn(Pixel pixel) { return pixel.worldPerHeight * pixel.normal; }
 
 // The surface at a place of the map, with its changes per texel.
@@ -49,20 +41,6 @@ struct Surface {
   vec3 column, columnX, columnY;  // a n, world
   bool isKnown;                   // whether all four texels about the place are its chart's
 };
-
-// The axes along which the surface may close: the map repeats there, and covers it once.
-bvec2 closingAxes(ivec2 size) {
-#ifdef WRAP_REPEAT
-  return bvec2(ivec2(not(reliefBorder)) * ivec2(equal(size, ivec2(mapSize))));
-#else
-  return bvec2(false);
-#endif
-}
-
-// A texel at most one turn off, without a remainder, which is slow.
-ivec2 wrapped(ivec2 texel, ivec2 size) {
-  return texel + size * (ivec2(lessThan(texel, ivec2(0))) - ivec2(greaterThanEqual(texel, size)));
-}
 
 // Bilinear between four texels, and straight on past the end of a map that does not close. Between
 // texels the surface stands over the bilinear one, along the normal: for x by ½ f (1 - f) (-P_xx · n),
@@ -149,9 +127,8 @@ vec3 shadingNormal(Pixel pixel) {
   vec3 n = pixel.normal;
   rise += height * vec2(dot(there.columnX, n), dot(there.columnY, n));
   height *= pixel.worldPerHeight;
-  vec3 alongX = pixel.px + rise.x * n + height * turnOfNormal(pixel, pixel.px);
-  vec3 alongY = pixel.py + rise.y * n + height * turnOfNormal(pixel, pixel.py);
-  vec3 facet = normalize(cross(alongX, alongY));
+  vec3 facet = normalize(cross(displacedSide(pixel, pixel.px, rise.x, height),
+                               displacedSide(pixel, pixel.py, rise.y, height)));
   return dot(facet, n) < 0.0 ? -facet : facet;
 }
 

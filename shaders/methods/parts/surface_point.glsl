@@ -1,3 +1,11 @@
+/* gnomon-part
+[[pass]]
+name = "point"
+kind = "texture"
+channels = 3
+about = "P, world"
+*/
+
 // The limit surface at a pixel: its point, and how its normal turns. The camera draws a coarse mesh,
 // which lies below the surface where that is convex.
 
@@ -18,4 +26,47 @@ vec3 turnOfNormal(Pixel pixel, vec3 along) {
   float first = dot(along, pixel.v1) / max(dot(pixel.v1, pixel.v1), 1e-30);
   float second = dot(along, pixel.v2) / max(dot(pixel.v2, pixel.v2), 1e-30);
   return pixel.k1 * first * pixel.v1 + pixel.k2 * second * pixel.v2;
+}
+
+// D_x or D_y of D = P + a h n, with all its terms: P_x + a h_x n + a h n_x. Bump mapping leaves out the last,
+// which counts where the relief is as high as the body is thick. P_x, interpolated between corners, is not
+// at right angles to n, and n is the more exact.
+vec3 displacedSide(Pixel pixel, vec3 along, float rise, float height) {
+  vec3 n = pixel.normal;
+  return along + (rise - dot(along, n)) * n + height * turnOfNormal(pixel, along);
+}
+
+vec3 passPoint(Pixel pixel) { return surfacePoint(pixel); }
+
+// The axes along which the surface may close: the map repeats there, and covers it once.
+bvec2 closingAxes(ivec2 size) {
+#ifdef WRAP_REPEAT
+  return bvec2(ivec2(not(reliefBorder)) * ivec2(equal(size, ivec2(mapSize))));
+#else
+  return bvec2(false);
+#endif
+}
+
+// A texel at most one turn off, without a remainder, which is slow.
+ivec2 wrapped(ivec2 texel, ivec2 size) {
+  return texel + size * (ivec2(lessThan(texel, ivec2(0))) - ivec2(greaterThanEqual(texel, size)));
+}
+
+// How far a path stays on the pixel's chart, up to `end`, texels. Beyond a chart's border the map holds
+// nothing, or another part of the surface: a point that is farther from the last than two texels are long.
+float endOnChart(Pixel pixel, Path path, float end) {
+  ivec2 size = textureSize(pointPass, 0);
+  bvec2 closes = closingAxes(size);
+  float most = 2.0 * (length(pixel.px) + length(pixel.py));
+  vec3 last = surfacePoint(pixel);
+  float known = 0.0;
+  for (float t = 1.0; t < end + 1.0 && known < end; t += 1.0) {
+    ivec2 texel = ivec2(floor(pathPoint(path, t))) - pointOrigin;
+    vec4 there = passTexel(pointPass, mix(texel, wrapped(texel, size), closes), 0);
+    bool isOwn = there.w > 0.0 && !isOfOtherChart(there.w) && distance(there.xyz, last) < most;
+    if (!isOwn) return min(end, t - 0.5);
+    last = there.xyz;
+    known = t;
+  }
+  return end;
 }

@@ -53,13 +53,13 @@ struct Blockers {
 };
 
 // @param far  half the square's side, texels
-Blockers blockersAbout(vec3 place, vec2 tilt, float far) {
+Blockers blockersAbout(DepthPlace at, float far) {
   Blockers seen = Blockers(0, 0.0, 0.0);
   for (int k = 0; k < 5; ++k) {
     vec2 corner = k < 4 ? vec2(k & 1, k >> 1) * 2.0 - 1.0 : vec2(0.0);
-    vec2 texel = floor(place.xy + far * corner);
-    bool isBlocker = isNearer(place, tilt, texel);
-    seen.own = isBlocker ? max(place.z - lightDepthOf(ivec2(texel)), 0.0) : 0.0;
+    vec2 texel = floor(at.place.xy + far * corner);
+    bool isBlocker = isNearer(at, texel);
+    seen.own = isBlocker ? max(at.place.z - lightDepthOf(ivec2(texel)), 0.0) : 0.0;
     seen.most = max(seen.most, seen.own);
     seen.count += isBlocker ? 1 : 0;
   }
@@ -69,15 +69,6 @@ Blockers blockersAbout(vec3 place, vec2 tilt, float far) {
 // `edge` pieces in texels of the map, and one at least, since that is how far apart its samples are.
 float outlineReach(float piece) { return max(edge * piece / lightMapLengths.x, 1.0); }
 
-// Where the depth map is asked for a pixel.
-struct DepthPlace {
-  vec3 place;            // in the map, A nearer to the light than the displaced point
-  vec2 tilt;             // of the plane of its facet
-  float off;             // u, world
-  float near;            // t, what of the path is lost to the map, texels
-  float texelsPerDepth;  // of the path, for a depth of 1
-};
-
 // @param cosine  of the facet to the light's centre
 DepthPlace depthPlaceOf(Pixel pixel, LocalLight light, Path path, float piece, vec3 facet,
                         float cosine) {
@@ -85,12 +76,17 @@ DepthPlace depthPlaceOf(Pixel pixel, LocalLight light, Path path, float piece, v
   float texelsPerWorld = 1.0 / (path.worldPerTexel * sqrt(1.0 + light.slope * light.slope));
   DepthPlace at;
   at.off = bias * lightMapLengths.x + piece_bias * piece;
-  float allowance = at.off * (1.0 + 0.5 * slope);
-  at.near = allowance * texelsPerWorld;
+  at.allowance = at.off * (1.0 + 0.5 * slope);
+  at.less = piece_bias * piece * (1.0 + 0.5 * slope) / lightMapLengths.y;
+  at.near = at.allowance * texelsPerWorld;
   at.texelsPerDepth = lightMapLengths.y * texelsPerWorld;
   at.place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
-  at.place.z -= allowance / lightMapLengths.y;
+  at.place.z -= at.allowance / lightMapLengths.y;
   at.tilt = lightMapTilt(facet, max(cosine, 1.0 / steepest));
+  at.texelsPerWorld = 1.0 / path.worldPerTexel;
+  at.start = path.start;
+  at.toward = path.direction;
+  at.end = path.start;
   return at;
 }
 
@@ -129,14 +125,16 @@ bool isPathKnown(Path path, float t, float off, float lean) {
 bool isHiddenAtTwoScales(Pixel pixel, LocalLight light, Path path, float piece, vec3 facet,
                          float cosine) {
   DepthPlace at = depthPlaceOf(pixel, light, path, piece, facet, cosine);
-  Blockers seen = blockersAbout(at.place, at.tilt, outlineReach(piece));
+  Blockers seen = blockersAbout(at, outlineReach(piece));
   if (seen.count == 5) return true;
   // Blockers are off by as much as is lost to the map: past the farthest of them.
   float past = seen.most > 0.0 ? seen.most * at.texelsPerDepth + at.near : 0.0;
   float lean = leanOf(pixel, light, path);
-  if (shadowedAtCrossings(path, marchEnd(at, path, past, lean))) return true;
-  bool isLit = isPathKnown(path, seen.own * at.texelsPerDepth, at.off, lean);
-  return !isLit && shareNearer(at.place, at.tilt) > 0.5;
+  float end = endOnChart(pixel, path, marchEnd(at, path, past, lean));
+  if (shadowedAtCrossings(path, end)) return true;
+  if (!(shareNearer(at) > 0.5)) return false;
+  at.end = pathPoint(path, end);
+  return isNearer(at, floor(at.place.xy)) || !isPathKnown(path, seen.own * at.texelsPerDepth, at.off, lean);
 }
 
 // The march goes on as far as the farthest of all that hides some of the light. Where it knows the path
@@ -147,13 +145,13 @@ float shareAtTwoScales(Pixel pixel, LocalLight light, Path path, float piece, ve
                        float cosine) {
   DepthPlace at = depthPlaceOf(pixel, light, path, piece, facet, cosine);
   float reach = tan(lightRadius) * lightMapLengths.y / lightMapLengths.x;  // texels, of depth 1
-  vec2 distances = blockerDistances(at.place, at.tilt, reach, 0.0);
-  float far = shareByDepth(at.place, at.tilt, reach * distances.x);
-  Blockers seen = blockersAbout(at.place, at.tilt, outlineReach(piece));
+  vec2 distances = blockerDistances(at, reach);
+  float far = shareByDepth(at, reach * distances.x);
+  Blockers seen = blockersAbout(at, outlineReach(piece));
   if (far <= 0.0 && seen.count == 5) return 0.0;
   float lean = leanOf(pixel, light, path);
   float past = max(distances.y, seen.most) * at.texelsPerDepth;
-  float end = marchEnd(at, path, past, lean);
+  float end = endOnChart(pixel, path, marchEnd(at, path, past, lean));
   float share = shareAtCrossings(pixel, light, path, end, bareSlope(path));
   float blocker = distances.x > 0.0 ? distances.x : seen.own;
   bool isKnown = isPathKnown(path, blocker * at.texelsPerDepth, at.off, lean);
