@@ -25,7 +25,7 @@ step 0 gnomon --version
 step 0 gnomon list
 step 0 gnomon run /usr/share/gnomon/scenes/figure8.toml
 step 0 gnomon bake /usr/share/gnomon/scenes/figure8.toml
-step 0 gnomon init mine
+step 0 gnomon init mine --action none
 cd mine
 step 0 gnomon run shadows/shadows.toml
 step 0 gnomon check shadows/shadows.toml --baseline shadows/references \

@@ -14,6 +14,7 @@ from run_action import run_action, workflow_inputs
 PROJECT = pathlib.Path(os.environ["GNOMON_PROJECT"])
 PROGRAM = pathlib.Path(os.environ["GNOMON_PROGRAM"])
 SHADER = "shadows/my-shadow.glsl"
+ACTION = "somebody/gnomon@v0.1.0"
 
 
 class Repository:
@@ -26,7 +27,7 @@ class Repository:
             "GITHUB_SHA": "",
         }
         self.call("git", "init", "--quiet")
-        self.call("gnomon", "init")
+        self.call("gnomon", "init", "--action", ACTION)
         self.commit("the starter")
 
     def call(self, *words):
@@ -46,14 +47,14 @@ class Repository:
         self.commit(reason)
 
     def action(self):
-        inputs = workflow_inputs(self.folder / ".github/workflows/shadows.yml", "/gnomon@")
+        inputs = workflow_inputs(self.folder / ".github/workflows/shadows.yml", ACTION)
         return run_action(PROJECT, self.folder, inputs, self.environment)
 
     def make_worse(self):
         file = self.folder / SHADER
         text = file.read_text()
         assert "> bias" in text
-        file.write_text(text.replace("> bias", "> bias - 0.1"))
+        file.write_text(text.replace("> bias", "> bias - 0.03"))
 
     def history(self):
         return json.loads((self.folder / "shadows/references/shadows.json").read_text())["history"]
@@ -80,6 +81,19 @@ def test_passes_while_nothing_changes(repository):
     assert status == 0, output
     assert "::error" not in output
     assert summary.startswith("## Shadows: pass\n")
+
+
+def test_gates_the_own_method_alone(repository):
+    """A release of Gnomon whose `onoue-2004` is another keeps nobody's build from passing."""
+    references = repository.folder / "shadows/references/shadows.json"
+    values = json.loads(references.read_text())
+    for value in values["values"]:
+        if value["method"] != "my-shadow" and value["metric"] == "error_rate":
+            value["value"] = 0.001
+    references.write_text(json.dumps(values))
+    status, output, _ = repository.action()
+    assert status == 0, output
+    assert "Notice" not in output, "the starter's own limit is as tight as a check wants it"
 
 
 def test_fails_at_the_shader_that_has_become_worse(repository):
@@ -123,7 +137,8 @@ def test_marks_the_line_of_an_error_in_the_shader(repository):
 
 
 def init(folder, *words):
-    return subprocess.run([PROGRAM, "init", *words], cwd=folder, capture_output=True, text=True, check=False)
+    words = [PROGRAM, "init", *words, "--action", ACTION]
+    return subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
 
 
 def test_a_starter_overwrites_nothing(tmp_path):
@@ -146,6 +161,22 @@ def test_a_starter_says_what_to_do_next(tmp_path):
     assert sorted(files) == sorted(str(path.relative_to(tmp_path)) for path in written)
     assert "Next, in 'new folder':" in lines
     assert init(tmp_path, "new folder").returncode == 3
+
+
+def test_a_starter_asks_whose_action_it_calls(tmp_path):
+    def outcome(*words):
+        return subprocess.run([PROGRAM, "init", *words], cwd=tmp_path, capture_output=True, text=True, check=False)
+
+    for words in ([], ["--action", "gnomon"], ["--action", "a/b@v1 # c"]):
+        refused = outcome(*words)
+        assert refused.returncode == 2
+        assert "OWNER/NAME@VERSION expected" in refused.stderr
+        assert not list(tmp_path.iterdir())
+    assert outcome("plain", "--action", "none").returncode == 0
+    assert not (tmp_path / "plain/.github").exists()
+    assert outcome("whole", "--action", ACTION).returncode == 0
+    workflow = (tmp_path / "whole/.github/workflows/shadows.yml").read_text()
+    assert f"uses: {ACTION}" in workflow and "OWNER" not in workflow
 
 
 def test_a_starter_that_cannot_be_written_is_told_in_one_line(tmp_path):

@@ -65,6 +65,19 @@ TEST_F(CommandLine, AMistypedOptionOrCommandGetsTheNearest) {
   EXPECT_THAT(refusal({"list", "--frobnicate"}), HasSubstr("--frobnicate. See gnomon --help"));
 }
 
+// It is invalid, as the XDG Base Directory Specification has it: neither the cache nor a library
+// that the program loads makes it in the working folder, or says that it could not.
+TEST_F(CommandLine, ARelativeCacheFolderIsIgnored) {
+  write("small.toml", smallStudy());
+  const std::string home = file("home").string();
+  const Outcome outcome =
+      gnomon({"run", "small.toml"}, {"GNOMON_CACHE=", "XDG_CACHE_HOME=caches", "HOME=" + home});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_FALSE(std::filesystem::exists(file("caches")));
+  EXPECT_TRUE(std::filesystem::exists(file("home/.cache/gnomon")));
+}
+
 TEST_F(CommandLine, SetChangesTheStudyAndIsRecorded) {
   runStudy("small", smallStudy());
   const double before =

@@ -93,5 +93,27 @@ TEST_F(MemoryLimit, OfTheGroupAboveIsSeenBeforeTheKernelKills) {
   std::printf("faults: a limit of 400 MiB on a group above: %s", large.err.c_str());
 }
 
+class StackLimit : public EndToEnd {};
+
+// It died of SIGSEGV below 96 kB: in a thread, whose stack is as small.
+TEST_F(StackLimit, TooSmallAStackIsOneLine) {
+#ifdef GNOMON_SANITIZED
+  GTEST_SKIP() << "sanitizers need a larger stack before the program begins";
+#endif
+  write("small.toml", smallStudy());
+  for (const int size : {48, 64, 96, 128, 255}) {
+    for (const char* words : {"list", "run small.toml", "no such command"}) {
+      const Outcome outcome =
+          runShell(folder(), fmt::format("ulimit -s {}; gnomon {} >/dev/null", size, words));
+      EXPECT_EQ(outcome.status, 3) << size << words << outcome.err;
+      EXPECT_EQ(outcome.err, fmt::format("gnomon: the stack is limited to {} kB, 256 kB or more "
+                                         "expected: ulimit -s\n",
+                                         size));
+    }
+  }
+  const Outcome enough = runShell(folder(), "ulimit -s 256; gnomon run small.toml");
+  EXPECT_EQ(enough.status, 0) << enough.err;
+}
+
 }  // namespace
 }  // namespace gnomon::test

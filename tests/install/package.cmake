@@ -29,6 +29,6 @@ if(found)
 endif()
 
 # It runs where it was unpacked, with its own shaders and scenes.
-execute_process(COMMAND ${OUT}/root/usr/bin/gnomon init ${OUT}/starter
+execute_process(COMMAND ${OUT}/root/usr/bin/gnomon init ${OUT}/starter --action somebody/gnomon@v0.1.0
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 file(REMOVE_RECURSE ${OUT}/root)

@@ -365,13 +365,8 @@ std::string suggestion(const CLI::App& app) {
                    "gnomon(1); `completion`: a script for bash")
       ->check(CLI::IsMember({"keys", "manual-page", "completion"}))
       ->type_name("WHAT");
-  CLI::App* init = app.add_subcommand(
-      "init", "Write a starter: a study, a method of your own, a workflow of a build server");
-  std::filesystem::path starterFolder = ".";
-  init->add_option("DIR", starterFolder,
-                   "Folder for the starter; files that are there stay as they are")
-      ->capture_default_str()
-      ->type_name("DIR");
+  InitRequest initRequest;
+  CLI::App* init = addInitCommand(app, initRequest);
 
   try {
     app.parse(argc, argv);
@@ -391,7 +386,7 @@ std::string suggestion(const CLI::App& app) {
   // Our own error says what each platform answered; Mesa's warnings would stand beside it.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   const ExitStatus status = listed->parsed()     ? list(app, what)
-                            : init->parsed()     ? writeStarter(starterFolder)
+                            : init->parsed()     ? writeStarter(initRequest)
                             : gather->parsed()   ? gatherScenes(gatherRequest)
                             : suite->parsed()    ? drawSuiteScenes(suiteRequest)
                             : cache->parsed()    ? showCache(cacheRequest)

@@ -92,15 +92,16 @@ TEST(JunitXml, SaysWhereWhatAndHowToReproduce) {
   const pugi::xml_node failure =
       document.select_node("//testcase[@classname='sample.threshold']/failure").node();
   EXPECT_STREQ(failure.attribute("message").value(),
-               "scenes/sample.toml:12: a, \"b\" & <c>, error_rate ≤ 0.03, camera, elevation 30° "
+               "scenes/sample.toml:12: a, \"b\" & <c>, error_rate ≤ 0.0300, camera, elevation 30° "
                "azimuth 20°: 0.0512, too large by 0.0212");
   EXPECT_THAT(failure.child_value(),
               HasSubstr("\nReproduce: gnomon check scenes/sample.toml --method 'a, \"b\" & <c>'"));
   const pugi::xml_node reference =
       document.select_node("//testcase[@classname='sample.reference']/failure").node();
   EXPECT_THAT(reference.attribute("message").value(), HasSubstr("reference/sample.json: a, "));
-  EXPECT_THAT(reference.attribute("message").value(), HasSubstr("0.09, too large by 0.01, 0.07 "
-                                                                "committed"));
+  EXPECT_THAT(reference.attribute("message").value(),
+              HasSubstr("0.0900, too large by 0.0100, 0.0700 "
+                        "committed"));
   const pugi::xml_node problem = document.select_node("//testcase[@name='baseline']/error").node();
   EXPECT_STREQ(problem.attribute("type").value(), "bad input");
   EXPECT_STREQ(problem.attribute("message").value(), "scenes/sample.toml:7: 100 %\nwrong");

@@ -396,6 +396,8 @@ void print(const std::vector<study::CheckRecord>& checks, const CheckRequest& re
   for (const study::CheckRecord& check : checks) {
     printText(report::checkTable(check, coloursWanted()) + "\n");
   }
+  const std::string notices = report::checkNotices(checks);
+  if (!notices.empty()) printText(notices + "\n");
   if (request.github) printUnchanged(report::githubAnnotations(checks));
   printText(report::checkSummary(checks, status, coloursWanted()));
   printLine("Reports: " + request.run.out.string());

@@ -2,11 +2,15 @@
 
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <regex>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "cli/output.h"
+#include "cli/repository_commit.h"
 #include "common/files/atomic_file.h"
 #include "common/text/shell_quote.h"
 #include "render/shader_files.h"
@@ -22,7 +26,7 @@ Next{}:
   gnomon check shadows/shadows.toml --baseline shadows/references \
       --update-baseline --baseline-pictures --reason "first references"
       keeps what was measured: commit shadows/ and .github/
-  gnomon check shadows/shadows.toml --baseline shadows/references
+  gnomon check shadows/shadows.toml --baseline shadows/references --gated
       fails when the shader has become worse, as the workflow does for every change
 )";
 
@@ -41,11 +45,55 @@ std::vector<fs::path> filesOf(const fs::path& starter) {
   return files;
 }
 
+constexpr std::string_view placeholder = "OWNER/gnomon@v0.1.0";
+constexpr const char* noAction = "none";
+
+/// The action that the workflow calls, or "none".
+std::string actionFor(const InitRequest& request, const fs::path& root) {
+  if (request.action == noAction) return noAction;
+  const std::string action = request.action.empty() ? actionOf(root) : request.action;
+  if (action.empty()) {
+    throw UsageError(
+        "init: --action OWNER/NAME@VERSION expected, the repository on GitHub that you have Gnomon "
+        "from, which the workflow calls; with --action none there is no workflow");
+  }
+  if (!std::regex_match(action, std::regex(R"([\w.-]+/[\w.-]+@[\w./-]+)"))) {
+    throw UsageError(fmt::format("--action {}: OWNER/NAME@VERSION expected, or none", action));
+  }
+  return action;
+}
+
+/// The workflow's text with the action in place of the starter's placeholder.
+std::string withAction(std::string text, const std::string& action) {
+  const std::size_t at = text.find(placeholder);
+  return at == std::string::npos ? text : text.replace(at, placeholder.size(), action);
+}
+
 }  // namespace
 
-ExitStatus writeStarter(const fs::path& folder) {
-  const fs::path starter = render::shaderFolder().parent_path() / "scenes/starter";
-  const std::vector<fs::path> files = filesOf(starter);
+CLI::App* addInitCommand(CLI::App& app, InitRequest& request) {
+  CLI::App* init = app.add_subcommand(
+      "init", "Write a starter: a study, a method of your own, a workflow of a build server");
+  init->add_option("DIR", request.folder,
+                   "Folder for the starter; files that are there stay as they are")
+      ->capture_default_str()
+      ->type_name("DIR");
+  init->add_option("--action", request.action,
+                   "Gnomon's repository on GitHub, which the workflow calls, or `none` for no "
+                   "workflow; by default the one that this checkout is of")
+      ->type_name("OWNER/NAME@VERSION");
+  return init;
+}
+
+ExitStatus writeStarter(const InitRequest& request) {
+  const fs::path& folder = request.folder;
+  const fs::path root = render::shaderFolder().parent_path();
+  const std::string action = actionFor(request, root);
+  const fs::path starter = root / "scenes/starter";
+  std::vector<fs::path> files = filesOf(starter);
+  if (action == noAction) {
+    std::erase_if(files, [](const fs::path& file) { return *file.begin() == ".github"; });
+  }
   for (const fs::path& file : files) {
     std::error_code failure;
     if (fs::symlink_status(folder / file, failure).type() == fs::file_type::not_found) continue;
@@ -53,7 +101,7 @@ ExitStatus writeStarter(const fs::path& folder) {
         fmt::format("{}: is there already; nothing was written", (folder / file).string()));
   }
   for (const fs::path& file : files) {
-    const std::string text = readFile(starter / file);
+    const std::string text = withAction(readFile(starter / file), action);
     const fs::path target = folder / file;
     std::error_code failure;
     fs::create_directories(target.parent_path(), failure);

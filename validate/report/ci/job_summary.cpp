@@ -39,7 +39,7 @@ std::string faultRow(const study::CheckRecord& check, const study::Judgement& ju
   return fmt::format("| {} | {} | {} | {}, {}{} | {} | {} | {} | {} |\n", cell(check.name),
                      cell(gate.method), cell(gate.metric), cell(gate.view), cell(gate.light),
                      answer, number(judgement.value), number(study::committedValue(gate)),
-                     cell(limitText(gate)), cell(place.file));
+                     cell(limitText(gate, 4)), cell(place.file));
 }
 
 std::string faultTable(std::span<const study::CheckRecord> checks) {

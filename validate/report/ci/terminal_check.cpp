@@ -80,8 +80,7 @@ std::string rowText(const Cells& cells, const CheckWidths& widths) {
 }
 
 const char* verdictColour(study::GateVerdict verdict) {
-  if (verdict == study::GateVerdict::passed) return "32";
-  return verdict == study::GateVerdict::skipped ? "33" : "31";
+  return verdict == study::GateVerdict::passed ? "32" : "33";
 }
 
 std::size_t countOf(std::span<const study::Judgement> judgements, study::GateVerdict verdict) {
@@ -90,7 +89,26 @@ std::size_t countOf(std::span<const study::Judgement> judgements, study::GateVer
       [&](const study::Judgement& judgement) { return judgement.verdict == verdict; }));
 }
 
-void appendTable(TerminalPage& page, const std::vector<study::Judgement>& judgements) {
+/// Every gate that does not hold, whole, and how to reproduce it.
+void appendFaults(TerminalPage& page, const study::CheckRecord& check) {
+  if (const std::size_t count = check.problems.size(); count > 0) {
+    const std::string errors = fmt::format("{} {}", count, count == 1 ? "error" : "errors");
+    page.line(std::string(terminalIndent, ' ') + page.styled(errors, "31") +
+              ", told on standard error");
+  }
+  for (const study::Judgement& judgement : check.judgements) {
+    if (!judgement.isFault()) continue;
+    const bool failed = judgement.verdict == study::GateVerdict::failed;
+    page.fault(failed ? "failed" : "undefined", gateFaultText(judgement));
+  }
+  if (check.status() == ExitStatus::pass) return;
+  page.line(std::string(terminalIndent, ' ') + "Reproduce:");
+  page.line(std::string(2 * terminalIndent, ' ') + terminalText(check.command));
+}
+
+/// The thresholds that hold or are left out.
+void appendTable(TerminalPage& page, std::vector<study::Judgement> judgements) {
+  std::erase_if(judgements, [](const study::Judgement& judgement) { return judgement.isFault(); });
   if (judgements.empty()) return;
   std::vector<Cells> rows = {
       {"method", "metric", "view, light", "value", "limit", "margin", "verdict"}};
@@ -105,33 +123,13 @@ void appendTable(TerminalPage& page, const std::vector<study::Judgement>& judgem
 }
 
 void appendReferences(TerminalPage& page, const std::string& file,
-                      std::vector<study::Judgement> references) {
+                      std::span<const study::Judgement> references) {
   if (references.empty()) return;
   const std::size_t skipped = countOf(references, study::GateVerdict::skipped);
   page.paragraph(fmt::format("{}: {} of {} references hold{}", file,
                              countOf(references, study::GateVerdict::passed), references.size(),
                              skipped > 0 ? fmt::format(", {} skipped", skipped) : ""),
                  terminalIndent);
-  std::erase_if(references, [](const study::Judgement& judgement) { return !judgement.isFault(); });
-  appendTable(page, references);
-}
-
-/// Each fault in full, since a table cuts names.
-void appendFaults(TerminalPage& page, const study::CheckRecord& check) {
-  for (const study::ProblemRecord& problem : check.problems) page.fault("error", problem.message);
-  for (const study::Judgement& judgement : check.judgements) {
-    if (!judgement.isFault()) continue;
-    const bool failed = judgement.verdict == study::GateVerdict::failed;
-    page.fault(failed ? "failed" : "undefined", gateFaultText(judgement));
-  }
-}
-
-void appendNotices(TerminalPage& page, const study::CheckRecord& check) {
-  for (const study::NoticeRecord& notice : check.notices) {
-    const std::string place =
-        notice.line > 0 ? fmt::format("{}:{}", check.file, notice.line) : check.file;
-    page.paragraph(fmt::format("Notice: {}: {}", place, notice.text), terminalIndent);
-  }
 }
 
 }  // namespace
@@ -139,14 +137,21 @@ void appendNotices(TerminalPage& page, const study::CheckRecord& check) {
 std::string checkTable(const study::CheckRecord& check, bool colours) {
   TerminalPage page(colours);
   page.heading(fmt::format("{} ({})", check.name, check.file));
+  appendFaults(page, check);
   const auto [thresholds, references, options] = study::byOrigin(check.judgements);
   appendTable(page, thresholds);
   appendReferences(page, check.baseline, references);
-  appendFaults(page, check);
-  appendNotices(page, check);
-  if (check.status() != ExitStatus::pass) {
-    page.line(std::string(terminalIndent, ' ') + "Reproduce:");
-    page.line(std::string(2 * terminalIndent, ' ') + terminalText(check.command));
+  return page.text();
+}
+
+std::string checkNotices(std::span<const study::CheckRecord> checks) {
+  TerminalPage page(false);
+  for (const study::CheckRecord& check : checks) {
+    for (const study::NoticeRecord& notice : check.notices) {
+      const std::string place =
+          notice.line > 0 ? fmt::format("{}:{}", check.file, notice.line) : check.file;
+      page.paragraph(fmt::format("Notice: {}: {}", place, notice.text));
+    }
   }
   return page.text();
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/overloaded.h"
@@ -14,9 +15,19 @@ std::string anyOr(const std::string& name, const char* kind) {
   return name.empty() ? fmt::format("any {}", kind) : name;
 }
 
-/// Enough digits to tell a value from its limit.
-std::string valueText(double value) {
-  return fmt::format("{:.6g}", value);
+/// @param decimals  none for as many digits as a limit is written with
+std::string valueText(double value, std::optional<int> decimals) {
+  constexpr double large = 1e6;  // lengths in samples, say
+  if (!decimals || std::abs(value) >= large) return fmt::format("{:.6g}", value);
+  return fmt::format("{:.{}f}", value, *decimals);
+}
+
+/// Decimals of all numbers that are told of a fault: three digits of what it is off by, 4 at least.
+std::optional<int> decimalsOf(const study::Judgement& judgement) {
+  const std::optional<double> margin = judgement.margin();
+  if (!margin || *margin == 0) return std::nullopt;
+  constexpr int fewest = 4, most = 9;
+  return std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(*margin)))), fewest, most);
 }
 
 std::string nameWith(const study::Gate& gate, const std::string& limit) {
@@ -66,12 +77,13 @@ GatePlace faultPlace(const study::CheckRecord& check, const study::Gate& gate) {
   return shader == check.shaders.end() ? gatePlace(check, gate) : GatePlace{shader->second};
 }
 
-std::string limitText(const study::Gate& gate) {
+std::string limitText(const study::Gate& gate, std::optional<int> decimals) {
   if (gate.minimum && gate.maximum) {
-    return fmt::format("{} to {}", valueText(*gate.minimum), valueText(*gate.maximum));
+    return fmt::format("{} to {}", valueText(*gate.minimum, decimals),
+                       valueText(*gate.maximum, decimals));
   }
-  if (gate.maximum) return fmt::format("≤ {}", valueText(*gate.maximum));
-  if (gate.minimum) return fmt::format("≥ {}", valueText(*gate.minimum));
+  if (gate.maximum) return fmt::format("≤ {}", valueText(*gate.maximum, decimals));
+  if (gate.minimum) return fmt::format("≥ {}", valueText(*gate.minimum, decimals));
   return "no limit";
 }
 
@@ -84,7 +96,8 @@ std::string gateTitle(const study::Gate& gate) {
 }
 
 std::string gateFaultText(const study::Judgement& judgement) {
-  return fmt::format("{}: {}", gateName(judgement.gate), gateOutcome(judgement));
+  const std::string limit = limitText(judgement.gate, decimalsOf(judgement));
+  return fmt::format("{}: {}", nameWith(judgement.gate, limit), gateOutcome(judgement));
 }
 
 std::string gateOutcome(const study::Judgement& judgement) {
@@ -93,14 +106,16 @@ std::string gateOutcome(const study::Judgement& judgement) {
     const bool skipped = judgement.verdict == study::GateVerdict::skipped;
     return (skipped ? "skipped: " : "undefined: ") + judgement.reason;
   }
-  std::string text = valueText(*judgement.value);
   const std::optional<double> margin = judgement.margin();
+  const std::optional<int> decimals = decimalsOf(judgement);
+  std::string text = valueText(*judgement.value, decimals);
   if (judgement.verdict == study::GateVerdict::failed && margin) {
     const bool large = gate.maximum && *judgement.value > *gate.maximum;
-    text += fmt::format(", too {} by {:.3g}", large ? "large" : "small", std::abs(*margin));
+    text += fmt::format(", too {} by {}", large ? "large" : "small",
+                        valueText(std::abs(*margin), decimals));
   }
   if (const auto committed = study::committedValue(gate)) {
-    text += fmt::format(", {} committed", valueText(*committed));
+    text += fmt::format(", {} committed", valueText(*committed, decimals));
   }
   return text;
 }

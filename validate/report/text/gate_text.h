@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "study/record/check_record.h"
@@ -24,7 +25,8 @@ GatePlace gatePlace(const study::CheckRecord& check, const study::Gate& gate);
 GatePlace faultPlace(const study::CheckRecord& check, const study::Gate& gate);
 
 /// The limits: "≤ 0.03", "≥ 0.1", "0.9 to 1.1".
-std::string limitText(const study::Gate& gate);
+/// @param decimals  of its numbers; none for as many digits as they need
+std::string limitText(const study::Gate& gate, std::optional<int> decimals = {});
 
 /// What is judged: "onoue-2004, error_rate ≤ 0.03, camera, elevation 24° azimuth 165°", then the
 /// region where it is not that of all samples, and the step of a sweep. Names that a skipped gate
@@ -35,7 +37,7 @@ std::string gateName(const study::Gate& gate);
 /// "onoue-2004, error_rate max, camera, elevation 24° azimuth 165°".
 std::string gateTitle(const study::Gate& gate);
 
-/// A gate that does not hold: its name, then the outcome.
+/// A gate that does not hold: its name, then the outcome, all numbers with the same decimals.
 std::string gateFaultText(const study::Judgement& judgement);
 
 /// The outcome: "0.0412, too large by 0.0112", "undefined: no samples", "skipped: …"; with a
