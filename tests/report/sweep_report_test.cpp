@@ -196,7 +196,8 @@ TEST(SweepJson, HoldsTheSweep) {
   EXPECT_EQ(json["faults"].size(), 1U);
   EXPECT_EQ(json["faults"][0]["case"], 3);
   EXPECT_EQ(json["faults"][0]["origin"], "threshold");
-  EXPECT_THAT(json["faults"][0]["text"].get<std::string>(), HasSubstr("0.0800, too large by 0.0300"));
+  EXPECT_THAT(json["faults"][0]["text"].get<std::string>(),
+              HasSubstr("0.0800, too large by 0.0300"));
   sweep.cases[0].values[0].number = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)sweepJson(sweep), InternalError);
   EXPECT_THROW((void)csvTable(sweepMeansTable(sweep)), InternalError);

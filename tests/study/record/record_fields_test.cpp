@@ -57,7 +57,8 @@ StudyRecord sample() {
                     ClaimSpread{3, 2, 1, 1, "ratio", Quartiles{1, 2, 3, 4, 5}, true, Verdict::held},
                     RadiusCheck<Verdict>{Verdict::held, Verdict::failed},
                     {"ours", "theirs"}}};
-  const BudgetShare share{0.5, compare::Interval{0, 1}, "none", DifferenceVerdict::notDistinguishable};
+  const BudgetShare share{0.5, compare::Interval{0, 1}, "none",
+                          DifferenceVerdict::notDistinguishable};
   record.budgets = {{"ours",
                      "camera",
                      "all",
