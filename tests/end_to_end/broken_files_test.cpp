@@ -70,7 +70,8 @@ TEST_F(BrokenFiles, Objs) {
        {"a crease without sharpness", square + face + "t crease 2/0/0 0 1\n", ":10: crease"},
        {"half a file", (square + face).substr(0, 50), ":7: 'vt' with 1 numbers"},
        {"zeros", std::string(1000, '\0'), "no faces"},
-       {"a PLY by another name", "ply\nformat ascii 1.0\n", "no faces"}});
+       {"a PLY by another name", "ply\nformat ascii 1.0\n",
+        "is a PLY: a name that ends in .ply expected"}});
 }
 
 TEST_F(BrokenFiles, TexturesWithoutArea) {
@@ -109,7 +110,7 @@ TEST_F(BrokenFiles, TextPlys) {
   refuseMeshes(
       ".ply",
       {{"an empty file", "", ":1: not a PLY"},
-       {"another format", "solid cube\n", ":1: not a PLY"},
+       {"another format", "solid cube\n", "is an STL: export the mesh as OBJ or PLY"},
        {"a header without end", "ply\nformat ascii 1.0\nelement vertex 1\n", "end_header"},
        {"no format", "ply\nelement vertex 1\n", ":2: expected 'format"},
        {"an unknown format", ply("4 0 1 2 3\n", list, "utf8 1.0"), ":2: format 'utf8'"},

@@ -201,6 +201,11 @@ than = "unshadowed"
                 .status,
             0);
   add(written, "gnomon compare --json", "same.json");
+  const std::string head = "P5\n16 16\n255\n";
+  write("dark.pgm", head + std::string(256, '\0'));
+  write("lit.pgm", head + std::string(256, '\xff'));
+  ASSERT_EQ(gnomon({"compare", "dark.pgm", "lit.pgm", "--json", "inverted.json"}).status, 0);
+  add(written, "gnomon compare --json", "inverted.json");
   const std::string masks = "out/small/export/masks";
   ASSERT_EQ(gnomon({"compare", masks, masks, "--json", "folders.json"}).status, 0);
   add(written, "gnomon compare --json of folders", "folders.json");

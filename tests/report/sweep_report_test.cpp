@@ -405,7 +405,7 @@ TEST(SweepTable, HasAColumnAValue) {
   EXPECT_THAT(text, HasSubstr("  held                 The gain <grows>\n"));
   EXPECT_THAT(text, HasSubstr("Thresholds: 0 of 1 met"));
   EXPECT_THAT(text,
-              HasSubstr("surface.curvature = 1: flat, error_rate ≤ 0.05, camera, noon: 0.08"));
+              HasSubstr("surface.curvature = 1: flat, error_rate ≤ 0.0500, camera, noon: 0.0800"));
 }
 
 TEST(SweepTable, FitsHoweverManyTheValues) {

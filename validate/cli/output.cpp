@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <poll.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -59,7 +60,11 @@ void printError(std::string_view text) noexcept {
 void flushOutput() {
   const bool isWritten = std::fflush(stdout) == 0;
   if (!isWritten) failOutput(errno);
-  if (isOutputLost()) failOutput(EIO);
+  if (!isOutputLost()) return;
+  // Whoever wrote, as the parser of the command line does, has taken the reason away.
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  const bool hasNoReader = poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
+  failOutput(hasNoReader ? EPIPE : EIO);
 }
 
 bool isOutputLost() {

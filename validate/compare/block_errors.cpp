@@ -26,9 +26,9 @@ void requireSameBlocks(const BlockErrors& a, const BlockErrors& b) {
   }
 }
 
-/// A step of FNV-1a, by words.
+/// A step of FNV-1, by words: of two equal numbers it is not 0, as FNV-1a's is.
 std::uint64_t hashed(std::uint64_t hash, std::uint64_t word) {
-  return (hash ^ word) * 1099511628211ULL;
+  return (hash * 1099511628211ULL) ^ word;
 }
 
 template <typename Pair>

@@ -32,7 +32,7 @@ TEST(GithubAnnotations, AreALineForEachFaultThenTheNotices) {
             "gnomon check scenes/sample.toml --method 'a, \"b\" & <c>'");
   EXPECT_EQ(lines.at(1),
             "::error file=scenes/sample.toml,line=12,title=sample%3A threshold failed::"
-            "a, \"b\" & <c>, error_rate ≤ 0.03, camera, elevation 30° azimuth 20°: 0.0512, too "
+            "a, \"b\" & <c>, error_rate ≤ 0.0300, camera, elevation 30° azimuth 20°: 0.0512, too "
             "large by 0.0212%0Agnomon check scenes/sample.toml --method 'a, \"b\" & <c>'");
   EXPECT_THAT(lines.at(2), StartsWith("::error file=scenes/sample.toml,line=12,title=sample%3A "
                                       "threshold undefined::"));

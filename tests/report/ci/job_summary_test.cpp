@@ -70,7 +70,7 @@ TEST_F(JobSummary, NamesEveryFaultAndTheCommandThatAccepts) {
   const std::string text = jobSummary(checks, {}, "gnomon check --update-baseline");
   EXPECT_THAT(text, HasSubstr("## Shadows: fail\n\n1 limits hold, 3 do not."));
   EXPECT_THAT(text, HasSubstr("| sample | a | error\\_rate | camera, elevation 30° azimuth 20° | "
-                              "0.0900 | 0.0700 | ≤ 0.08 | my\\|shader.glsl |\n"));
+                              "0.0900 | 0.0700 | ≤ 0.0800 | my\\|shader.glsl |\n"));
   EXPECT_THAT(text, HasSubstr("| a, &quot;b&quot; &amp; &lt;c&gt; |"));
   EXPECT_THAT(text, HasSubstr("- sample: scenes/sample.toml:7: 100 % wrong\n"));
   EXPECT_THAT(text, HasSubstr("```\ngnomon check --update-baseline\n```\n"));

@@ -43,30 +43,14 @@ using Keys = std::vector<std::string>;
 
 TEST(SummaryJson, HasEveryKeyInOrder) {
   const ordered_json json = written(recordWithPanel());
-  EXPECT_EQ(keysOf(json), (Keys{"schema",
-                                "status",
-                                "study",
-                                "environment",
-                                "search_radius",
-                                "truth",
-                                "methods",
-                                "results",
-                                "confidence",
-                                "differences",
-                                "bins",
-                                "cost",
-                                "timings",
-                                "thresholds",
-                                "baseline",
-                                "references",
-                                "problems",
-                                "claims",
-                                "budget",
-                                "panels",
-                                "region_colours",
-                                "notices",
-                                "undefined_samples",
-                                "cache"}));
+  EXPECT_EQ(
+      keysOf(json),
+      (Keys{
+          "schema", "status",  "study",      "environment",    "search_radius", "texture",
+          "truth",  "methods", "results",    "confidence",     "differences",   "bins",
+          "cost",   "timings", "thresholds", "baseline",       "references",    "problems",
+          "claims", "budget",  "panels",     "region_colours", "notices",       "undefined_samples",
+          "cache"}));
   EXPECT_EQ(json["schema"], "gnomon-summary/2");
   EXPECT_EQ(keysOf(json["study"]),
             (Keys{"name", "title", "source", "file", "command", "copy", "settings", "inputs"}));
@@ -78,7 +62,7 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
   EXPECT_EQ(keysOf(json["truth"]["flips"][0]),
             (Keys{"view", "light", "flip_rate", "length_error", "boundaries"}));
   EXPECT_EQ(keysOf(json["methods"][0]),
-            (Keys{"label", "name", "title", "citation", "family", "symbol"}));
+            (Keys{"label", "name", "title", "citation", "family", "symbol", "other_chart_share"}));
   EXPECT_EQ(keysOf(json["cost"][0]),
             (Keys{"method", "polygons", "table_bytes", "height_bytes", "frame_ms", "still_ms",
                   "texels", "passes", "frame_ratio", "frame_kept_since"}));

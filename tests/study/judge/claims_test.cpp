@@ -348,7 +348,7 @@ TEST(Claims, AboutRatesBetweenBoundsGoByTheFlips) {
   EXPECT_EQ(judgeClaim(claim, {wide}).verdict, Verdict::notDistinguishable)
       << "and by the interval";
   wide.confidence[0].interval.reset();
-  EXPECT_EQ(judgeClaim(claim, {wide}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judgeClaim(claim, {wide}).verdict, Verdict::noInterval);
   claim.region = "cast";
   EXPECT_EQ(judgeClaim(claim, {study("s", {{0.02, 0.1}}, 0.01)}).verdict, Verdict::failed);
 }

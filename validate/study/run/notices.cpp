@@ -197,9 +197,10 @@ std::optional<std::string> joinedNotice(const surface::Cage& cage) {
   std::string text;
   if (vertices > 0) {
     text = fmt::format(
-        "{} {} of the mesh file in the same place as another, where faces meet, and {} joined with "
+        "{} of the mesh file {} in the same place as another, where faces meet, and {} joined with "
         "it: the surface continues there.",
-        vertices, vertices == 1 ? "vertex lies" : "vertices lie", vertices == 1 ? "was" : "were");
+        vertices == 1 ? "1 vertex" : fmt::format("{} vertices", vertices),
+        vertices == 1 ? "lies" : "lie", vertices == 1 ? "was" : "were");
   }
   if (apartEdges > 0) {
     text += fmt::format(
