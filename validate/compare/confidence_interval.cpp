@@ -268,10 +268,8 @@ ConfidenceInterval differenceConfidence(const BlockErrors& first, const BlockErr
   };
   const std::vector<double> blocks = parts(2);
   if (blocks.empty()) return {{}, "no block of the view differs", found.blocks};
-  // One place that is larger than a block must not count as several.
-  const double half = std::max(
-      halfOfFlips(blocks) * correctionOf(rootSumOfSquares(blocks), rootSumOfSquares(parts(1))),
-      halfOfFlips(parts(4)));
+  const double half =
+      halfOfFlips(blocks) * correctionOf(rootSumOfSquares(blocks), rootSumOfSquares(parts(1)));
   const double centre = first.rate() - second.rate();
   return {Interval{std::max(-1.0, centre - half), std::min(1.0, centre + half)}, {}, found.blocks};
 }

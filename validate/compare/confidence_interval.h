@@ -54,8 +54,7 @@ struct Interval {
 /// every machine, 5 in 100 have a |Σ ± x| of h or more: the interval is the difference ± h. It
 /// leaves 0 out just where p = (1 + number of choices that reach |Σ x|) / 2,000 is no more than
 /// 0.05, so that five blocks never do. h is corrected for what neighbours share as s is, by √Σ x²
-/// of blocks and of cells, and is at least that of blocks of twice the side, so that a
-/// place as large as a block or two is no evidence. A drift counts as spread: the interval is rather too wide.
+/// of blocks and of cells. A drift counts as spread: the interval is rather too wide.
 ///
 /// *Checked* by simulation (tests/compare/confidence_coverage_test.cpp) with and without drift, and
 /// against new draws of the bumps (tests/end_to_end/redrawn_bumps_test.cpp). It is too narrow where
