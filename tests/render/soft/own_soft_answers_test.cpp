@@ -63,11 +63,10 @@ TEST(OwnSoftAnswers, MayAnswerWithAShareAlone) {
 TEST(OwnSoftAnswers, MayAnswerWithBothEnds) {
   const GlContext gl;
   const SoftWall wall;
-  const Method mine =
-      methodOfText("",
-                   "float visibility(Pixel pixel, LocalLight light) {\n"
-                   "  int x = int(pixel.texel.x) % 3;\n"
-                   "  return x == 1 ? 1.0 : 0.0;\n}\n");
+  const Method mine = methodOfText("",
+                                   "float visibility(Pixel pixel, LocalLight light) {\n"
+                                   "  int x = int(pixel.texel.x) % 3;\n"
+                                   "  return x == 1 ? 1.0 : 0.0;\n}\n");
   const auto found = wall.scene.shares(mine, wall.view, SoftWall::light(20), sun);
   for (std::size_t i = 0; i < found.test.size(); ++i) {
     const bool isWhole = i % SoftWall::columns % 3 == 1;

@@ -172,8 +172,8 @@ TEST(Budget, TellsWhatCannotBeToldFromNone) {
   EXPECT_FALSE(isDistinguishable(restNamed(sure, "distant").verdict));
 }
 
-/// A large share that one place alone has is not sure: another draw of the bumps may lack it. The place
-/// is two blocks wide, a tenth of the view.
+/// A large share that one place alone has is not sure: another draw of the bumps may lack it. The
+/// place is two blocks wide, a tenth of the view.
 TEST(Budget, OnePlaceIsNoEvidence) {
   const truth::Truth truth = madeUpTruth();
   Mask mask = truth.mask;
