@@ -212,6 +212,8 @@ std::optional<std::string> joinedNotice(const surface::Cage& cage) {
 }
 
 std::optional<std::string> outsideMapNotice(const StudySpec& study) {
+  // Of a built-in shape the study itself says how much of it the map covers.
+  if (study.cage.grid) return std::nullopt;
   const auto [all, outside] = facesOfMap(study.cage, study.relief);
   if (outside == 0) return std::nullopt;
   return fmt::format(
