@@ -42,12 +42,12 @@ const SuiteSurface& drawSurfaceFamily(const SuiteSpec& suite, RandomStream& rand
   return drawWeighted(all, random);
 }
 
-const SuiteRelief& drawReliefFamily(const SuiteSpec& suite, SurfaceKind kind,
+const SuiteRelief& drawReliefFamily(const SuiteSpec& suite, const SuiteSurface& surface,
                                     RandomStream& random) {
   std::vector<const SuiteRelief*> fitting;
   for (const SuiteRelief& relief : suite.reliefs) {
     const auto& on = relief.on;
-    if (std::find(on.begin(), on.end(), classOf(kind)) != on.end()) fitting.push_back(&relief);
+    if (std::find(on.begin(), on.end(), classOf(surface)) != on.end()) fitting.push_back(&relief);
   }
   return drawWeighted(fitting, random);
 }
@@ -66,16 +66,18 @@ struct Families {
   const SuiteRelief& relief;
   bool isCamera;
 
-  [[nodiscard]] bool isOpen() const { return classOf(surface.kind) == SurfaceClass::open; }
-  [[nodiscard]] bool isBody() const { return classOf(surface.kind) == SurfaceClass::body; }
+  [[nodiscard]] bool isOpen() const { return classOf(surface) == SurfaceClass::open; }
+  [[nodiscard]] bool isBody() const { return surface.kind == SurfaceKind::mesh; }
 };
 
 /// The map, in texels and in the surface's world units.
 struct DrawnMap {
   glm::ivec2 texels{0};
   double feature = 0;  ///< world units
-  double share = 0;    ///< height over feature
-  double height = 0;   ///< world units
+  double period =
+      0;  ///< the feature in the unit of the relief's lengths: texels, of a solid the world's
+  double share = 0;   ///< height over feature
+  double height = 0;  ///< world units
 };
 
 std::optional<DrawnMap> drawMap(const SuiteSpec& suite, const Families& families,
@@ -88,7 +90,9 @@ std::optional<DrawnMap> drawMap(const SuiteSpec& suite, const Families& families
   } else if (families.isBody()) {
     map.texels = glm::ivec2(static_cast<int>(suite.bodySide.draw(random)));
     map.feature = roundedNumber(suite.bodyFeature.draw(random) * surface.radius);
-    if (map.feature < suite.fewestTexels * surface.texel * 1000 / map.texels.x) return std::nullopt;
+    const double texel = surface.texel * 1000 / map.texels.x;
+    if (map.feature < suite.fewestTexels * texel) return std::nullopt;
+    if (relief.form != "solid") map.period = map.feature / texel;
   } else {
     map.texels.x = static_cast<int>(suite.side.draw(random));
     map.texels.y = static_cast<int>(suite.side.draw(random));
@@ -99,6 +103,7 @@ std::optional<DrawnMap> drawMap(const SuiteSpec& suite, const Families& families
     const auto fits = [&](int side) { return std::fmod(side, map.feature) == 0; };
     if (mustFit && !(fits(map.texels.x) && fits(map.texels.y))) return std::nullopt;
   }
+  if (map.period == 0) map.period = map.feature;
   map.share = relief.height.draw(random);
   map.height = roundedNumber(map.share * map.feature);
   return map;
@@ -115,7 +120,7 @@ toml::table reliefSection(const Families& families, const DrawnMap& map, RandomS
                          : relief.form == "image" ? "clamp"
                                                   : "repeat");
   for (const auto& [key, lengths] : relief.lengths) {
-    section.insert(key, roundedNumber(lengths.draw(random) * map.feature));
+    section.insert(key, roundedNumber(lengths.draw(random) * map.period));
   }
   for (const auto& [key, shares] : relief.shares) {
     const double value = shares.draw(random);
@@ -259,7 +264,7 @@ DrawnScene drawScene(const SuiteSpec& suite, SuiteSplit split, const std::string
   const std::string part = splitName(split);
   RandomStream random = streamOf(fmt::format("{}\n{}\n{}\n{}\n", suite.name, part, seed, number));
   const SuiteSurface& surface = drawSurfaceFamily(suite, random);
-  const SuiteRelief& relief = drawReliefFamily(suite, surface.kind, random);
+  const SuiteRelief& relief = drawReliefFamily(suite, surface, random);
   const auto views = static_cast<std::uint64_t>(suite.cameraWeight + suite.atlasWeight);
   const bool isCamera = random.below(views) < static_cast<std::uint64_t>(suite.cameraWeight);
   for (int tries = 1; tries <= suite.tries; ++tries) {

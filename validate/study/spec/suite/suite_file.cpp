@@ -12,7 +12,7 @@ constexpr NumberRange angle{-360, 360};
 
 const std::vector<std::string> surfaceKinds = {"plane", "cylinder", "sphere",   "inside-sphere",
                                                "torus", "bezier",   "b-spline", "mesh"};
-const std::vector<std::string> surfaceClasses = {"open", "torus", "body"};
+const std::vector<std::string> surfaceClasses = {"open", "torus", "body", "shared"};
 
 bool isArc(SurfaceKind kind) {
   return kind == SurfaceKind::cylinder || kind == SurfaceKind::sphere ||
@@ -48,6 +48,7 @@ SuiteSurface readSurface(const TomlReader& section) {
     surface.radius = section.number("radius", positive);
     surface.texel = section.number("texel", positive);
     surface.face = section.number("face", {0, 1, true});
+    if (section.has("shared")) surface.shared = section.flag("shared");
   }
   section.finish();
   return surface;
@@ -74,12 +75,12 @@ SuiteRelief readRelief(const TomlReader& section) {
   relief.weight = section.integer("weight", 1, 1000000);
   const toml::node* on = section.find("on");
   if (on == nullptr || !on->is_array() || on->as_array()->empty()) {
-    section.fail("on", "a list of open, torus and body expected");
+    section.fail("on", "a list of open, torus, body and shared expected");
   }
   for (const toml::node& one : *on->as_array()) {
     const auto found =
         std::find(surfaceClasses.begin(), surfaceClasses.end(), one.value_or<std::string>(""));
-    if (found == surfaceClasses.end()) section.fail("on", "open, torus or body expected");
+    if (found == surfaceClasses.end()) section.fail("on", "open, torus, body or shared expected");
     relief.on.push_back(static_cast<SurfaceClass>(found - surfaceClasses.begin()));
   }
   relief.height = readDistribution(section, "height", positive);
@@ -102,7 +103,7 @@ SuiteRelief readRelief(const TomlReader& section) {
 void requireMatches(const TomlReader& root, const SuiteSpec& suite) {
   for (const SuiteSurface& surface : suite.surfaces) {
     const auto fits = [&](const SuiteRelief& relief) {
-      return std::count(relief.on.begin(), relief.on.end(), classOf(surface.kind)) > 0;
+      return std::count(relief.on.begin(), relief.on.end(), classOf(surface)) > 0;
     };
     if (std::none_of(suite.reliefs.begin(), suite.reliefs.end(), fits)) {
       root.fail("relief", "none found that lies on the surface " + surface.name);
@@ -129,10 +130,10 @@ SuiteSpec readLike(const TomlReader& root, const TomlReader& header,
 
 }  // namespace
 
-SurfaceClass classOf(SurfaceKind kind) {
-  return kind == SurfaceKind::mesh    ? SurfaceClass::body
-         : kind == SurfaceKind::torus ? SurfaceClass::torus
-                                      : SurfaceClass::open;
+SurfaceClass classOf(const SuiteSurface& surface) {
+  if (surface.kind == SurfaceKind::torus) return SurfaceClass::torus;
+  if (surface.kind != SurfaceKind::mesh) return SurfaceClass::open;
+  return surface.shared ? SurfaceClass::shared : SurfaceClass::body;
 }
 
 SuiteSpec readSuite(const std::filesystem::path& file) {

@@ -16,14 +16,13 @@ namespace gnomon::study {
 
 /// What surfaces a relief may lie on.
 enum class SurfaceClass {
-  open,   ///< a patch with a border
-  torus,  ///< closed both ways, and so is the map
-  body,   ///< a closed mesh with seams
+  open,    ///< a patch with a border
+  torus,   ///< closed both ways, and so is the map
+  body,    ///< a closed mesh with seams
+  shared,  ///< a mesh some of whose texels belong to two places
 };
 
 enum class SurfaceKind { plane, cylinder, sphere, insideSphere, torus, bezier, bSpline, mesh };
-
-SurfaceClass classOf(SurfaceKind kind);
 
 /// `[[surface]]`
 struct SuiteSurface {
@@ -38,9 +37,12 @@ struct SuiteSurface {
   std::string wrap = "clamp";  ///< "repeat" where the one chart closes on itself
   Vec3 target{0};              ///< middle of its bounding sphere
   double radius = 1;
-  double texel = 1;  ///< world units: mean side of a texel of a map of 1,000 × 1,000
-  double face = 1;   ///< mean side of a face, over the side of the map
+  double texel = 1;     ///< world units: mean side of a texel of a map of 1,000 × 1,000
+  double face = 1;      ///< mean side of a face, over the side of the map
+  bool shared = false;  ///< whether texels belong to two places
 };
+
+SurfaceClass classOf(const SuiteSurface& surface);
 
 /// `[[relief]]`
 struct SuiteRelief {
