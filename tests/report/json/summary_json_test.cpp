@@ -71,7 +71,7 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
             (Keys{"method", "light", "view", "answer", "region", "metric", "value", "minimum",
                   "maximum", "passed", "reason"}));
   EXPECT_EQ(keysOf(json["claims"][0]),
-            (Keys{"text", "source", "verdict", "detail", "methods", "spread", "radius"}));
+            (Keys{"text", "source", "verdict", "detail", "methods", "spread"}));
   EXPECT_EQ(keysOf(json["panels"][0]), (Keys{"view", "light", "width", "height", "pictures"}));
   EXPECT_EQ(keysOf(json["panels"][0]["pictures"][0]),
             (Keys{"kind", "method", "caption", "path", "mask", "test_mask", "truth"}));
@@ -197,19 +197,6 @@ TEST(SummaryJson, AReferenceThatFailsFailsTheRun) {
   record.problems.clear();
   record.judgements.clear();
   EXPECT_EQ(written(record)["status"], "not judged");
-}
-
-TEST(SummaryJson, ARefinementIsThereWithAllItsLevels) {
-  study::StudyRecord record = sampleRecord();
-  record.truth.wantedUncertainty = 0.001;
-  record.truth.refinement = {{1, 61'440, std::nullopt}, {0.5, 245'760, 0.0124}};
-  const ordered_json truth = written(record)["truth"];
-  EXPECT_EQ(truth["wanted_uncertainty"], 0.001);
-  ASSERT_EQ(truth["refinement"].size(), 2U);
-  EXPECT_EQ(keysOf(truth["refinement"][1]), (Keys{"step_texels", "micro_triangles", "flip_rate"}));
-  EXPECT_TRUE(truth["refinement"][0]["flip_rate"].is_null());
-  EXPECT_EQ(truth["refinement"][1]["flip_rate"], 0.0124);
-  EXPECT_EQ(truth["refinement"][1]["micro_triangles"], 245'760);
 }
 
 TEST(SummaryJson, UndefinedIsNullWithAReason) {

@@ -225,17 +225,6 @@ TEST_F(StudyFile, QuickIsAQuarterOfTheSidesAndASixteenthOfTheMesh) {
   EXPECT_EQ(quick.truth.stepTexels, 0.5);
   EXPECT_EQ(16 * quick.truth.leastTriangles, full.truth.leastTriangles);
   EXPECT_FALSE(full.truth.stepTexels);
-  const StudySpec wanted = read(plainStudy, {{"truth.uncertainty=0.001"}, {}, true});
-  EXPECT_EQ(wanted.truth.uncertainty, 0.004) << "four times the step is as much less certain";
-}
-
-TEST_F(StudyFile, TheTruthHasAStepOrAnUncertainty) {
-  EXPECT_FALSE(read(plainStudy).truth.uncertainty);
-  EXPECT_EQ(readWith({"truth.uncertainty=0.001"}).truth.uncertainty, 0.001);
-  EXPECT_EQ(failure(plainStudy + "[truth]\nstep = 0.25\nuncertainty = 0.001\n"),
-            "plain.toml:39: truth.uncertainty: `step` found beside it, one of the two expected");
-  EXPECT_THAT(failureWith({"truth.uncertainty=0"}), HasSubstr("truth.uncertainty: 0 found"));
-  EXPECT_THAT(failureWith({"truth.uncertainty=2"}), HasSubstr("truth.uncertainty: 2 found"));
 }
 
 // ---- the studies that come with the program

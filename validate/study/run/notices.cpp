@@ -24,14 +24,11 @@ constexpr int mostPieces = 1024;
 
 /// The key that makes the truth finer, with a value that about halves its uncertainty or more.
 std::string finerTruth(const StudySpec& study, const TruthRecord& truth) {
-  constexpr double quickFactor = 4;  // on both keys
+  constexpr double quickFactor = 4;
   const double factor = study.quick ? quickFactor : 1;
   const std::string change =
-      study.truth.uncertainty
-          ? fmt::format("truth.uncertainty = {:g} (now {:g})", mostUncertainty,
-                        *study.truth.uncertainty / factor)
-          : fmt::format("truth.step = {:g} (now {:g})", truth.askedStepTexels / factor / 2,
-                        truth.askedStepTexels / factor);
+      fmt::format("truth.step = {:g} (now {:g})", truth.askedStepTexels / factor / 2,
+                  truth.askedStepTexels / factor);
   return study.quick ? "Leave out --quick; or set " + change : "Set " + change;
 }
 

@@ -116,11 +116,8 @@ double quickStep(double step) {
 
 void readTruth(const TomlReader& section, StudySpec& study) {
   readSection(section, keysOf(study.truth, study.relief.resample));
-  if (study.truth.stepTexels && study.truth.uncertainty) {
-    section.fail("uncertainty", "`step` found beside it, one of the two expected");
-  }
-  if (section.has("triangles") && (study.truth.stepTexels || study.truth.uncertainty)) {
-    section.fail("triangles", "`step` or `uncertainty` found beside it, one of them expected");
+  if (section.has("triangles") && study.truth.stepTexels) {
+    section.fail("triangles", "`step` found beside it, one of them expected");
   }
   if (study.truth.directions % 2 != 0) {
     section.fail("directions",
@@ -162,13 +159,6 @@ ClaimSpec readClaim(const TomlReader& section, const StudySpec& study) {
     }
   } else {
     readKeys(section, comparison);
-    if (claim.gainExceeds == study.name) {
-      section.fail("gain_exceeds",
-                   fmt::format("\"{}\" found, the name of another study expected", study.name));
-    }
-    if (claim.gainGrows && !claim.gainExceeds.empty()) {
-      section.fail("gain_grows", "`gain_exceeds` found beside it, one of the two expected");
-    }
   }
   claim.written = section.written();
   section.finish();
@@ -233,7 +223,6 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
   if (study.quick) {
     study.frames = 0;
     if (study.truth.stepTexels) *study.truth.stepTexels = quickStep(*study.truth.stepTexels);
-    if (study.truth.uncertainty) *study.truth.uncertainty *= 4;  // it falls as the step does
     study.truth.leastTriangles /= 16;
   }
   for (const TomlReader& view : root.tables("view")) {
@@ -258,9 +247,6 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
   }
   for (const TomlReader& claim : root.optionalTables("claim")) {
     study.claims.push_back(readClaim(claim, study));
-    if (study.claims.back().gainGrows && root.find("sweep") == nullptr) {
-      claim.fail("gain_grows", "no [sweep] found, over which a gain could grow");
-    }
   }
   study.ladders = readLadders(root, study, defaults);
   (void)root.find("sweep");

@@ -179,15 +179,6 @@ TEST_F(SweepFile, IsNotBlamedForOtherErrors) {
               StartsWith("bumps.toml: surface.sise: unknown key"));
 }
 
-TEST_F(SweepFile, AGainThatGrowsNeedsOne) {
-  const std::string claim = "gain_grows = true\n";
-  EXPECT_TRUE(read(sweptStudy + claim + sweep).steps[2].claims[0].gainGrows);
-  EXPECT_FALSE(read(sweptStudy + sweep).steps[2].claims[0].gainGrows);
-  EXPECT_THAT(failure(claim), StartsWith("bumps.toml:36: claim.0.gain_grows: no [sweep] found"));
-  EXPECT_THAT(failure("gain_exceeds = \"other\"\n" + claim + sweep),
-              StartsWith("bumps.toml:37: claim.0.gain_grows: `gain_exceeds` found beside it"));
-}
-
 TEST_F(SweepFile, RecordHoldsThePlanAndItsSteps) {
   const StudyPlan plan = read(sweptStudy + sweep);
   std::vector<StudyRecord> steps(3);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -119,6 +118,21 @@ std::vector<Value> rememberLights(RunScene& scene, const KeyOf& keyOf, const Mak
   values.reserve(found.size());
   for (std::optional<Value>& value : found) values.push_back(std::move(*value));
   return values;
+}
+
+/// How finely rays are traced: those of a run, or of the coarser truth that tells its uncertainty.
+struct RayFineness {
+  double rayOffset = truth::standardRayOffset;
+  int directions;  ///< toward the discs of lights
+};
+
+RayFineness rayFineness(const StudySpec& study) {
+  return {truth::standardRayOffset, study.truth.directions};
+}
+
+/// Half the offset and half the directions.
+RayFineness coarserRays(const StudySpec& study) {
+  return {truth::standardRayOffset / 2, study.truth.directions / 2};
 }
 
 /// Gives the truths of lights with discs their shares.
@@ -267,6 +281,15 @@ std::shared_ptr<const TracedSurface> heldSurface(
   });
 }
 
+SurfaceOnDemand truthSurface(RunScene& scene) {
+  return SurfaceOnDemand([&scene] {
+    return heldSurface(scene, scene.keys.surface(), [&scene] {
+      return std::make_shared<const TracedSurface>(scene, scene.study.truth.ofMesh(), "micro-mesh",
+                                                   "hierarchy");
+    });
+  });
+}
+
 TruthRecord sizesOf(RunScene& scene, SurfaceOnDemand& surface) {
   const cache::ContentKey key =
       cache::KeyBuilder("sizes").add("surface", scene.keys.surface()).key();
@@ -309,32 +332,6 @@ std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface) {
     }
   }
   return undefined;
-}
-
-RayFineness rayFineness(const StudySpec& study) {
-  return {truth::standardRayOffset, study.truth.directions};
-}
-
-RayFineness coarserRays(const StudySpec& study) {
-  return {truth::standardRayOffset / 2, study.truth.directions / 2};
-}
-
-ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, const RayFineness& rays,
-                             std::string_view stage) {
-  const std::vector<truth::TraceSettings> lights = settingsOf(scene, rays.rayOffset);
-  std::vector<std::size_t> all(lights.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  ViewTruths truths;
-  for (const ViewCase& view : scene.standardBase().views) {
-    truths.push_back(scene.clock.measure(stage, [&](const Progress& progress) {
-      std::vector<truth::Truth> found =
-          truth::traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene,
-                              view.samples, lights, progress);
-      addShares(scene, surface, view.samples, all, rays, found, progress);
-      return found;
-    }));
-  }
-  return truths;
 }
 
 void traceUncertainty(RunScene& scene, TruthRecord& truth,
