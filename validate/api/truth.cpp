@@ -6,9 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "api/inner/height_field_of.h"
-#include "api/inner/mask_bytes.h"
-#include "api/inner/surface_data.h"
+#include "api/inner/conversions.h"
 #include "api/inner/translated.h"
 #include "common/error.h"
 #include "common/progress.h"
