@@ -48,7 +48,7 @@ TEST(HeldTargets, LeaveNothingForTheNextAnswer) {
                           held);
     MethodAnswers answers;
     scene.withInputs(method, {}, [&](Drawing drawn, const GpuTables& gpu) {
-      drawn.light = lightToward(20, 30);
+      drawn.light.direction = lightToward(20, 30);
       answers = pass.render(view, drawn, gpu);
     });
     return answers;

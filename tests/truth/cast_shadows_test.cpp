@@ -34,7 +34,7 @@ struct DividedScene : test::MicroSurface {
 
   [[nodiscard]] Truth trace(const surface::SampleGrid& samples, const Vec3& light,
                             double radiusTexels = 1000) const {
-    const TraceSettings ray{light};
+    const TraceSettings ray{{light}};
     const Truth undivided = traceShadows(surface, relief, mesh, scene, samples, ray);
     const CastShadowSettings settings{radiusTexels, parts};
     const auto divided = [&](const PlacedSamples* placed) {

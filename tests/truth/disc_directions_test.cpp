@@ -107,9 +107,9 @@ TEST(DiscDirections, APointLightHasOneAndAZenithAny) {
 
 TEST(DiscDirections, TheLowestIsTheCentreARadiusLower) {
   const Vec3 centre = lightToward(200, 20);
-  EXPECT_NEAR(glm::length(lowestOfDisc(centre, radians(3)) - lightToward(200, 17)), 0, 1e-15);
-  EXPECT_EQ(lowestOfDisc(centre, 0), centre);
-  EXPECT_NEAR(lowestOfDisc(Vec3(0, 0, 1), 0.1).z, std::cos(0.1), 1e-15);
+  EXPECT_NEAR(glm::length(lowestOfDisc({centre, radians(3)}) - lightToward(200, 17)), 0, 1e-15);
+  EXPECT_EQ(lowestOfDisc({centre}), centre);
+  EXPECT_NEAR(lowestOfDisc({Vec3(0, 0, 1), 0.1}).z, std::cos(0.1), 1e-15);
 }
 
 }  // namespace

@@ -150,8 +150,8 @@ TEST(ShadowTracer, DegenerateFramesAreLeftOutAndCounted) {
   for (const Shade shade : truth.mask.samples) EXPECT_EQ(shade, Shade::none);
 
   // Once, however many lights there are, and whether or not their places are kept.
-  const std::array lights = {TraceSettings{lightToward(30, 20)},
-                             TraceSettings{lightToward(200, 55)}};
+  const std::array lights = {TraceSettings{{lightToward(30, 20)}},
+                             TraceSettings{{lightToward(200, 55)}}};
   for (const Truth& each :
        traceShadows(scene.surface, scene.relief, scene.mesh, scene.scene, samples, lights)) {
     EXPECT_EQ(each.undefinedSamples, samples.samples.size());
@@ -184,9 +184,9 @@ struct RoughTorus {
 
 TEST(ShadowTracer, SeveralLightsAtOnceAreEachLightAlone) {
   const RoughTorus torus;
-  const std::array lights = {TraceSettings{lightToward(30, 20)},
-                             TraceSettings{lightToward(200, 55)},
-                             TraceSettings{lightToward(-80, 5)}};
+  const std::array lights = {TraceSettings{{lightToward(30, 20)}},
+                             TraceSettings{{lightToward(200, 55)}},
+                             TraceSettings{{lightToward(-80, 5)}}};
   const TruthScene& s = torus.scene;
   const auto together = traceShadows(s.surface, s.relief, s.mesh, s.scene, torus.samples, lights);
   ASSERT_EQ(together.size(), lights.size());
@@ -210,7 +210,7 @@ surface::SampleGrid rowsOf(const surface::SampleGrid& grid, int first, int count
 
 TEST(ShadowTracer, PlacedSamplesAndPartsOfThemGiveTheSame) {
   const RoughTorus torus;
-  const TraceSettings light{lightToward(30, 20)};
+  const TraceSettings light{{lightToward(30, 20)}};
   const TruthScene& s = torus.scene;
   const Truth whole = traceShadows(s.surface, s.relief, s.mesh, s.scene, torus.samples, light);
   const Truth placed = traceShadows(s.scene, torus.placed(torus.samples), light);
@@ -234,7 +234,7 @@ TEST(ShadowTracer, AThrowingProgressCancelsEveryStage) {
   const RoughTorus torus;
   const TruthScene& s = torus.scene;
   const Vec2 texels = s.relief.texelsPerUv();
-  const TraceSettings light{lightToward(30, 20)};
+  const TraceSettings light{{lightToward(30, 20)}};
   const Progress cancel = [](double) { throw Cancelled(); };
   EXPECT_THROW(MicroMesh(s.surface, s.relief, {0.5, 0}, cancel), Cancelled);
   EXPECT_THROW(MicroScene(s.mesh, cancel), Cancelled);
@@ -251,7 +251,7 @@ TEST(ShadowTracer, ProgressRisesToOne) {
     EXPECT_GT(share, last);
     last = share;
   };
-  const TraceSettings light{lightToward(30, 20)};
+  const TraceSettings light{{lightToward(30, 20)}};
   (void)traceShadows(torus.scene.scene, torus.placed(torus.samples), light, progress);
   EXPECT_EQ(last, 1);
 }

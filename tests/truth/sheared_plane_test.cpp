@@ -44,7 +44,7 @@ TEST_P(ShearedTruth, WallsShadowEndsWhereTheMetricSays) {
                                     {plane.sampleAt({31.5 + length - 0.05, 15.7}),
                                      plane.sampleAt({31.5 + length + 0.05, 15.7})}};
         const Truth truth = traceShadows(surface, relief, mesh, scene, samples,
-                                         TraceSettings{plane.lightOver(a, e)});
+                                         TraceSettings{{plane.lightOver(a, e)}});
         EXPECT_EQ(truth.mask.samples[0], Shade::shadowed)
             << plane.px.x << " " << plane.py.x << " azimuth " << azimuth << " " << elevation;
         EXPECT_EQ(truth.mask.samples[1], Shade::lit)
@@ -78,7 +78,7 @@ TEST_P(ShearedTruth, RadiusIsInTexelsAlongTheLight) {
     ASSERT_LT(met, 11);
     for (const auto& [radius, region] :
          {std::pair{reach + 0.02, Region::cast}, {reach - 0.02, Region::distant}}) {
-      const TraceSettings light{plane.lightOver(a, e)};
+      const TraceSettings light{{plane.lightOver(a, e)}};
       Truth truth = traceShadows(surface, relief, mesh, scene, samples, light);
       splitCastShadows(surface, relief, mesh, scene, paths, {radius}, samples, {&light, 1},
                        {&truth, 1});

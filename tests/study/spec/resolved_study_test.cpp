@@ -72,8 +72,7 @@ void expectSame(const StudySpec& a, const StudySpec& b) {
   ASSERT_EQ(a.lights.size(), b.lights.size());
   for (std::size_t k = 0; k < a.lights.size(); ++k) {
     EXPECT_EQ(a.lights[k].name, b.lights[k].name);
-    EXPECT_EQ(a.lights[k].azimuth, b.lights[k].azimuth);
-    EXPECT_EQ(a.lights[k].elevation, b.lights[k].elevation);
+    EXPECT_EQ(a.lights[k].angles, b.lights[k].angles);
   }
   ASSERT_EQ(a.methods.size(), b.methods.size());
   for (std::size_t k = 0; k < a.methods.size(); ++k) {
@@ -125,7 +124,7 @@ TEST_F(ResolvedStudy, HasWhatTheOptionsChange) {
   EXPECT_EQ(again.methods[0].label, "onoue-2004");
   EXPECT_EQ(again.methods[0].file.stem(), "horizon-ladder");
   EXPECT_EQ(again.lights.size(), 2U);
-  EXPECT_EQ(again.lights[1].elevation, radians(47.3));
+  EXPECT_EQ(again.lights[1].angles.elevation, 47.3);
   EXPECT_EQ(again.relief.field.maximum(), 3.25F);
 }
 

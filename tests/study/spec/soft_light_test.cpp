@@ -6,6 +6,7 @@
 #include "study/spec/resolved_study.h"
 #include "study/spec/study_file_fixture.h"
 #include "study/spec/sweep/sweep.h"
+#include "truth/disc_directions.h"
 
 // `[[light]] radius` and `sun`, `[truth] directions` and `[[method]] disc`.
 
@@ -18,19 +19,19 @@ using ::testing::HasSubstr;
 using SoftLight = StudyFile;
 
 TEST_F(SoftLight, HasARadiusInItsName) {
-  const LightSpec light = readWith({"light.0.radius=0.5"}).lights.front();
+  const Light light = readWith({"light.0.radius=0.5"}).lights.front();
   EXPECT_EQ(light.radius, radians(0.5));
   EXPECT_TRUE(light.isSoft());
   EXPECT_EQ(light.name, "elevation 30° azimuth 20° radius 0.5°");
-  const LightSpec point = read(plainStudy).lights.front();
-  const LightSpec zero = readWith({"light.0.radius=0"}).lights.front();
+  const Light point = read(plainStudy).lights.front();
+  const Light zero = readWith({"light.0.radius=0"}).lights.front();
   EXPECT_FALSE(zero.isSoft());
   EXPECT_EQ(zero.name, point.name);
-  EXPECT_EQ(zero.lowestDirection(), point.direction());
+  EXPECT_EQ(truth::lowestOfDisc(zero), point.direction);
 }
 
 TEST_F(SoftLight, OfTheSunHasItsRadius) {
-  const LightSpec light = readWith({"light.0.sun=true"}).lights.front();
+  const Light light = readWith({"light.0.sun=true"}).lights.front();
   EXPECT_EQ(light.radius, radians(0.266));
   EXPECT_FALSE(readWith({"light.0.sun=false"}).lights.front().isSoft());
   EXPECT_THAT(failureWith({"light.0.sun=true", "light.0.radius=1"}),
@@ -43,7 +44,7 @@ TEST_F(SoftLight, OfTheSunHasItsRadius) {
 TEST_F(SoftLight, ReachesAsFarAsItsLowestPoint) {
   const StudySpec point = read(plainStudy);
   const StudySpec disc = readWith({"light.0.radius=5"});
-  EXPECT_NEAR(std::asin(disc.lights.front().lowestDirection().z), radians(25), 1e-12);
+  EXPECT_NEAR(std::asin(truth::lowestOfDisc(disc.lights.front()).z), radians(25), 1e-12);
   EXPECT_GT(disc.radius.texels, point.radius.texels);
 }
 

@@ -102,9 +102,9 @@ TEST_F(StudyFile, ReadsAHeightImageBesideIt) {
 
 TEST_F(StudyFile, LightsPointWhereTheyAreSaidTo) {
   const StudySpec study = readWith({"light.0.azimuth=90", "light.0.elevation=30"});
-  const Vec3 direction = study.lights.at(0).direction();
+  const Vec3 direction = study.lights.at(0).direction;
   EXPECT_NEAR(glm::length(direction - Vec3(0, std::sqrt(0.75), 0.5)), 0, 1e-15);
-  EXPECT_NEAR(glm::length(readWith({"light.0.elevation=90"}).lights[0].direction() - Vec3(0, 0, 1)),
+  EXPECT_NEAR(glm::length(readWith({"light.0.elevation=90"}).lights[0].direction - Vec3(0, 0, 1)),
               0, 1e-15);
 }
 
@@ -115,8 +115,8 @@ TEST_F(StudyFile, ASweepIsEveryElevationWithEveryAzimuth) {
   EXPECT_EQ(study.lights[0].name, "elevation 60° azimuth 0°");
   EXPECT_EQ(study.lights[1].name, "elevation 12.5° azimuth 0°");
   EXPECT_EQ(study.lights[5].name, "elevation 12.5° azimuth 240°");
-  EXPECT_NEAR(study.lights[5].azimuth, radians(240), 1e-15);
-  EXPECT_NEAR(study.lights[5].elevation, radians(12.5), 1e-15);
+  EXPECT_NEAR(study.lights[5].angles.azimuth, 240, 1e-15);
+  EXPECT_NEAR(study.lights[5].angles.elevation, 12.5, 1e-15);
 }
 
 TEST_F(StudyFile, OneLightMayHaveAName) {

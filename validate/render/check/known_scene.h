@@ -60,8 +60,9 @@ class KnownScene {
   explicit KnownScene(horizon::TableBits bits = horizon::TableBits::thirtyTwo);
 
   [[nodiscard]] Drawing drawing() const {
-    return {gpu_,      heights_, relief::Wrap::repeat, relief::HeightSpace::world, 1, knownLight(),
-            &volumes_, &texture_};
+    return {
+        gpu_,      heights_, relief::Wrap::repeat, relief::HeightSpace::world, 1, {knownLight()},
+        &volumes_, &texture_};
   }
   [[nodiscard]] GpuTables tables() const { return {&horizon_, &distance_, &angles_, &ellipse_}; }
   [[nodiscard]] BakeScene bakeScene() const {

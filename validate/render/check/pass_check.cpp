@@ -340,7 +340,7 @@ std::string sharesFault(const Shaders& shaders) {
   const MethodPass pass(shaders, method, relief::Wrap::repeat, TableFilter::exact, {});
   const check::KnownScene scene;
   Drawing soft = scene.drawing();
-  soft.lightRadius = radius;
+  soft.light.radius = radius;
   const auto& [view, points] = check::atlasView();
   const VisibilityAnswers answers = pass.renderVisibility(view, soft, scene.tables());
   Tally tally;

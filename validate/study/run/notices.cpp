@@ -15,6 +15,7 @@
 #include "study/run/scene/run_keys.h"
 #include "surface/closed_surface.h"
 #include "surface/face_texels.h"
+#include "truth/disc_directions.h"
 
 namespace gnomon::study {
 namespace {
@@ -128,7 +129,7 @@ std::optional<std::string> wrapNotice(const StudySpec& study,
           .withBorder(
               relief::borderOf(study.cage, surface, relief::Wrap::clamp, study.relief.repeats));
   std::vector<Vec3> lights;
-  for (const LightSpec& light : study.lights) lights.push_back(light.lowestDirection());
+  for (const Light& light : study.lights) lights.push_back(truth::lowestOfDisc(light));
   const double shorter = horizon::searchRadius(surface, clamped, lights).texels;
   constexpr double muchLonger = 2;
   if (!(study.radius.texels > muchLonger * shorter)) return std::nullopt;
@@ -254,7 +255,7 @@ std::optional<std::string> invertedMasksNotice(const StudySpec& study, const Met
 }
 
 std::optional<std::string> softNotice(const StudySpec& study) {
-  const auto isSoft = [](const LightSpec& light) { return light.isSoft(); };
+  const auto isSoft = [](const Light& light) { return light.isSoft(); };
   const auto first = std::find_if(study.lights.begin(), study.lights.end(), isSoft);
   if (first == study.lights.end()) return std::nullopt;
   const bool areAll = std::all_of(study.lights.begin(), study.lights.end(), isSoft);

@@ -81,7 +81,7 @@ toml::table resolvedStudy(const StudySpec& study, const fs::path& folder) {
                     {"base", settingsOf(study.base)},
                     {"truth", truthTable(study)},
                     {"view", tablesOf(study.views, [](const ViewSpec& v) { return tableOf(v); })},
-                    {"light", tablesOf(study.lights, [](const LightSpec& light) {
+                    {"light", tablesOf(study.lights, [](const Light& light) {
                        return settingsOf(sectionOf(light));
                      })}};
   insertJudged(table, study);

@@ -19,6 +19,7 @@
 #include "study/spec/threshold_limits.h"
 #include "study/spec/toml/toml_reader.h"
 #include "study/spec/toml/toml_text.h"
+#include "truth/disc_directions.h"
 
 namespace gnomon::study {
 namespace fs = std::filesystem;
@@ -95,7 +96,7 @@ void measureSurface(const TomlReader& root, StudySpec& study, StudyParts& parts,
       relief::borderOf(study.cage, surface, relief.field.wrap(), relief.repeats);
   relief.field = std::move(relief.field).withBorder(border);
   std::vector<Vec3> lights;
-  for (const LightSpec& light : study.lights) lights.push_back(light.lowestDirection());
+  for (const Light& light : study.lights) lights.push_back(truth::lowestOfDisc(light));
   study.radius = isStated ? horizon::SearchRadius{0, horizon::RadiusBound::stated}
                           : sharedRadius(parts, root, relief, lights);
 }
@@ -128,7 +129,7 @@ void readTruth(const TomlReader& section, StudySpec& study) {
 StudyNames namesIn(const StudySpec& study) {
   StudyNames names;
   for (const MethodSpec& method : study.methods) names.methods.push_back(method.label);
-  for (const LightSpec& light : study.lights) names.lights.push_back(light.name);
+  for (const Light& light : study.lights) names.lights.push_back(light.name);
   for (const ViewSpec& view : study.views) names.views.push_back(view.name);
   names.regions = judgedRegions(study.cage.partNames);
   return names;
@@ -229,7 +230,7 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
     study.views.push_back(readView(view, study.quick));
   }
   for (const TomlReader& section : root.tables("light")) {
-    for (LightSpec& light : readLights(section)) study.lights.push_back(std::move(light));
+    for (Light& light : readLights(section)) study.lights.push_back(std::move(light));
   }
   readStudyBake(root, study, parts, options.isOutline);
   const MethodDefaults defaults{folder,     render::shaderFolder(), study.bake,

@@ -28,8 +28,8 @@ namespace {
 /// One a light.
 std::vector<truth::TraceSettings> settingsOf(const RunScene& scene, double rayOffset) {
   std::vector<truth::TraceSettings> settings;
-  for (const LightSpec& light : scene.study.lights) {
-    settings.push_back({light.direction(), rayOffset});
+  for (const Light& light : scene.study.lights) {
+    settings.push_back({light, rayOffset});
   }
   return settings;
 }
@@ -141,11 +141,10 @@ void addShares(const RunScene& scene, const TracedSurface& surface,
                const surface::SampleGrid& samples, const std::vector<std::size_t>& lights,
                const RayFineness& rays, std::span<truth::Truth> truths, const Progress& progress) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    const LightSpec& light = scene.study.lights[lights[i]];
+    const Light& light = scene.study.lights[lights[i]];
     if (!light.isSoft()) continue;
-    truths[i].answerBy(truth::traceVisibility(
-        surface.mesh, surface.scene, samples, truths[i].mask,
-        {light.direction(), light.radius, rays.directions, rays.rayOffset}, progress));
+    truths[i].answerBy(truth::traceVisibility(surface.mesh, surface.scene, samples, truths[i].mask,
+                                              {light, rays.directions, rays.rayOffset}, progress));
   }
 }
 
