@@ -147,7 +147,7 @@ TEST_F(SweepGridFile, SeveralTablesAreAGridWhoseFirstKeyChangesSlowest) {
                           "bumps/height-2_elevation-60", "bumps/height-8_elevation-20",
                           "bumps/height-8_elevation-40", "bumps/height-8_elevation-60"));
   EXPECT_EQ(plan.steps[4].title, "Columns, relief.height = 8, light.0.elevation = 40");
-  EXPECT_DOUBLE_EQ(plan.steps[4].lights[0].elevation, radians(40.0));
+  EXPECT_DOUBLE_EQ(plan.steps[4].lights[0].angles.elevation, 40.0);
   EXPECT_FLOAT_EQ(plan.steps[4].relief.field.maximum() / plan.steps[0].relief.field.maximum(), 4);
   EXPECT_EQ(plan.sweep->keys[0].dimension, 0U);
   EXPECT_EQ(plan.sweep->keys[1].dimension, 1U);

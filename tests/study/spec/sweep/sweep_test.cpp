@@ -106,8 +106,8 @@ TEST_F(SweepFile, AFileWithoutOneIsOneStudy) {
 
 TEST_F(SweepFile, TakesAnyKeyThatAnOverrideTakes) {
   const StudyPlan lights = read(sweptStudy + section("light.0.elevation", "[20, 60]"));
-  EXPECT_DOUBLE_EQ(lights.steps[0].lights[0].elevation, radians(20.0));
-  EXPECT_DOUBLE_EQ(lights.steps[1].lights[0].elevation, radians(60.0));
+  EXPECT_DOUBLE_EQ(lights.steps[0].lights[0].angles.elevation, 20.0);
+  EXPECT_DOUBLE_EQ(lights.steps[1].lights[0].angles.elevation, 60.0);
   EXPECT_EQ(lights.sweep->keys[0].axis, "light.0.elevation");
   const StudyPlan added = read(sweptStudy + section("bake.azimuths", "[8, 16]"));
   EXPECT_EQ(added.steps[0].bake.settings.azimuths, 8);
