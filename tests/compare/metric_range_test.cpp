@@ -34,9 +34,9 @@ TEST(MetricRange, HoldsEveryValueOfRandomMasks) {
     for (const Metric& metric :
          maskMetrics(randomMask(side, seed), randomMask(side, seed + 1000))) {
       if (!metric.value) continue;
-      const MetricRange range = metricRange(metric.name, picture);
-      EXPECT_GE(*metric.value, range.least) << metric.name;
-      EXPECT_LE(*metric.value, range.most) << metric.name;
+      const MetricRange range = metricRange(metric.id, picture);
+      EXPECT_GE(*metric.value, range.least) << metric.name();
+      EXPECT_LE(*metric.value, range.most) << metric.name();
       ++values;
     }
   }
@@ -46,18 +46,19 @@ TEST(MetricRange, HoldsEveryValueOfRandomMasks) {
 /// So that no limit is taken that no mask could miss.
 TEST(MetricRange, EndsAreReachedByTheRightAndTheWrongMask) {
   const Mask truth = test::row("#.");
-  for (const char* metric : {"error_rate", "fpr", "fnr", "ber", "iou", "f1", "mcc"}) {
+  for (const MetricId metric :
+       std::initializer_list<MetricId>{"error_rate", "fpr", "fnr", "ber", "iou", "f1", "mcc"}) {
     const double right = *rate(countSamples(truth, truth), metric).value;
     const double wrong = *rate(countSamples(test::complement(truth), truth), metric).value;
     const MetricRange range = metricRange(metric, {2, 2});
-    EXPECT_EQ(std::min(right, wrong), range.least) << metric;
-    EXPECT_EQ(std::max(right, wrong), range.most) << metric;
+    EXPECT_EQ(std::min(right, wrong), range.least) << metric.name();
+    EXPECT_EQ(std::max(right, wrong), range.most) << metric.name();
   }
 }
 
 TEST(MetricRange, OfDistancesAndLengthsIsThePictures) {
   const PictureExtent picture{100, 4800};
-  for (const char* metric : {"assd", "hd95"}) {
+  for (const MetricId metric : std::initializer_list<MetricId>{"assd", "hd95"}) {
     EXPECT_EQ(metricRange(metric, picture).most, 100);
     EXPECT_FALSE(metricRange(metric, picture).isShare);
   }
@@ -123,16 +124,16 @@ TEST(IsOfTruthAlone, HoldsForWhatNoCandidateChanges) {
   const std::vector<Metric> first = rates(countSamples(randomMask(9, 1), truth));
   const std::vector<Metric> second = rates(countSamples(test::complement(truth), truth));
   for (std::size_t i = 0; i < first.size(); ++i) {
-    EXPECT_EQ(first[i].value == second[i].value, isOfTruthAlone(first[i].name)) << first[i].name;
+    EXPECT_EQ(first[i].value == second[i].value, isOfTruthAlone(first[i].id)) << first[i].name();
   }
   EXPECT_TRUE(isOfTruthAlone("shadow_runs"));
 }
 
 TEST(IsSettled, HoldsWhereTheTruthIsAllLitOrAllShadowed) {
-  const auto settled = [](bool (*isSettled)(std::string_view)) {
+  const auto settled = [](bool (*isSettled)(MetricId)) {
     std::vector<std::string_view> names;
-    for (const std::string_view name : maskMetricNames()) {
-      if (isSettled(name)) names.push_back(name);
+    for (const MetricId id : metricsOfKinds({MetricKind::rate, MetricKind::boundary})) {
+      if (isSettled(id)) names.push_back(id.name());
     }
     return names;
   };

@@ -23,17 +23,17 @@ Counts counts(double tp, double fp, double fn, double tn, std::size_t samples = 
   return {tp, fp, fn, tn, samples};
 }
 
-double value(const Counts& c, std::string_view name) {
-  const Metric metric = rate(c, name);
-  EXPECT_TRUE(metric.value) << name << ": " << metric.reason;
+double value(const Counts& c, MetricId id) {
+  const Metric metric = rate(c, id);
+  EXPECT_TRUE(metric.value) << id.name() << ": " << metric.reason;
   return metric.value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 /// Undefined, and for this reason.
-void expectUndefined(const Counts& c, std::string_view name, std::string_view reason) {
-  const Metric metric = rate(c, name);
-  EXPECT_FALSE(metric.value) << name;
-  EXPECT_EQ(metric.reason, reason) << name;
+void expectUndefined(const Counts& c, MetricId id, std::string_view reason) {
+  const Metric metric = rate(c, id);
+  EXPECT_FALSE(metric.value) << id.name();
+  EXPECT_EQ(metric.reason, reason) << id.name();
 }
 
 Counts arbitraryCounts() {
@@ -70,7 +70,8 @@ TEST(Rates, MaskToRateByHand) {
 TEST(Rates, PerfectAndOppositeMasksAreExact) {
   for (const double tp : {1.0, 3.0, 1e-9, 7e8}) {
     const Counts perfect = counts(tp, 0, 0, 5, 8);
-    for (const char* zero : {"error_rate", "false_shadow", "false_light", "fpr", "fnr", "ber"}) {
+    for (const MetricId zero : std::initializer_list<MetricId>{
+             "error_rate", "false_shadow", "false_light", "fpr", "fnr", "ber"}) {
       EXPECT_EQ(value(perfect, zero), 0) << zero;
     }
     for (const char* one : {"iou", "f1", "mcc"}) EXPECT_EQ(value(perfect, one), 1) << one;
@@ -136,11 +137,11 @@ TEST(Rates, SymmetriesHoldForRandomMasks) {
     const auto same = [](std::optional<double> a, std::optional<double> b) {
       return a.has_value() == b.has_value() && (!a || near(*a, *b));
     };
-    for (const char* name : {"error_rate", "iou", "f1", "mcc"}) {
+    for (const MetricId name : std::initializer_list<MetricId>{"error_rate", "iou", "f1", "mcc"}) {
       RC_ASSERT(same(rate(ab, name).value, rate(ba, name).value));
     }
     RC_ASSERT(same(rate(ab, "false_shadow").value, rate(ba, "false_light").value));
-    for (const char* name : {"error_rate", "ber", "mcc"}) {
+    for (const MetricId name : std::initializer_list<MetricId>{"error_rate", "ber", "mcc"}) {
       RC_ASSERT(same(rate(ab, name).value, rate(inverse, name).value));
     }
     RC_ASSERT(same(rate(ab, "fpr").value, rate(inverse, "fnr").value));
@@ -153,15 +154,15 @@ TEST(Rates, StayInTheirRange) {
       RC_ASSERT(metric.value.has_value() == metric.reason.empty());
       if (!metric.value) continue;
       RC_ASSERT(*metric.value <= 1);
-      RC_ASSERT(*metric.value >= (metric.name == "mcc" ? -1 : 0));
+      RC_ASSERT(*metric.value >= (metric.id == "mcc" ? -1 : 0));
     }
   }));
 }
 
 TEST(Rates, NothingIsDefinedWithoutSamplesOrArea) {
-  for (const std::string_view name : rateNames()) {
-    expectUndefined(counts(0, 0, 0, 0, 0), name, "no samples");
-    expectUndefined(counts(0, 0, 0, 0, 9), name, "the samples have no area");
+  for (const MetricId id : metricsOfKinds({MetricKind::rate})) {
+    expectUndefined(counts(0, 0, 0, 0, 0), id, "no samples");
+    expectUndefined(counts(0, 0, 0, 0, 9), id, "the samples have no area");
   }
 }
 
@@ -192,8 +193,8 @@ TEST(Rates, DoNotDependOnTheUnitOfArea) {
   const Counts c = counts(3, 2, 1, 4, 10);
   for (const double unit : {1e-300, 1e-150, 1e150, 1e307}) {
     const Counts scaled = counts(3 * unit, 2 * unit, 1 * unit, 4 * unit, 10);
-    for (const std::string_view name : rateNames()) {
-      EXPECT_NEAR(value(scaled, name), value(c, name), 1e-14) << name << " at " << unit;
+    for (const MetricId id : metricsOfKinds({MetricKind::rate})) {
+      EXPECT_NEAR(value(scaled, id), value(c, id), 1e-14) << id.name() << " at " << unit;
     }
   }
 }
@@ -207,18 +208,29 @@ TEST(Rates, RefusesCellsThatNoMaskCanHave) {
   }
 }
 
-TEST(Rates, NamesAreUniqueAndAllAnswer) {
-  const std::vector<std::string_view>& names = rateNames();
-  EXPECT_EQ(names.size(), 10U);
-  EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
+TEST(Rates, AreThoseOfTheTable) {
   const Counts c = counts(3, 2, 1, 4, 10);
+  const std::vector<MetricId> ids = metricsOfKinds({MetricKind::rate});
   const std::vector<Metric> metrics = rates(c);
-  ASSERT_EQ(metrics.size(), names.size());
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    EXPECT_EQ(metrics[i].name, names[i]);
-    EXPECT_EQ(metrics[i].value, rate(c, names[i]).value);
+  ASSERT_EQ(metrics.size(), ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    EXPECT_EQ(metrics[i].id, ids[i]);
+    EXPECT_EQ(metrics[i].value, rate(c, ids[i]).value);
   }
-  EXPECT_THROW(rate(c, "accuracy"), InternalError);
+  EXPECT_THROW(rate(c, "assd"), InternalError);
+}
+
+TEST(MetricTable, HasEveryNameOnceByKinds) {
+  std::set<std::string_view> names;
+  MetricKind last = MetricKind::rate;
+  for (const MetricId id : allMetrics()) {
+    EXPECT_TRUE(names.insert(id.name()).second) << id.name();
+    EXPECT_EQ(MetricId::find(id.name()), id);
+    EXPECT_GE(id.kind(), last) << "in the order of columns";
+    last = id.kind();
+  }
+  EXPECT_EQ(MetricId::find("accuracy"), std::nullopt);
+  EXPECT_THROW((void)MetricId::of("accuracy"), InternalError);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
-study::Gate sampleGate(const std::string& metric, const study::Reference& reference) {
+study::Gate sampleGate(compare::MetricId metric, const study::Reference& reference) {
   study::Gate row{"a, b", "elevation 30°", "camera", "", metric, {}, {}};
   row.step = "sample/1";
   return study::referenceGate(row, reference);

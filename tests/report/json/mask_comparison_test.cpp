@@ -34,8 +34,8 @@ MaskComparison judgedComparison() {
   MaskComparison comparison = sampleComparison();
   for (const compare::Metric& metric : comparison.metrics) {
     study::Gate gate;
-    gate.metric = metric.name;
-    gate.maximum = metric.name == "iou" ? 1 : 0.1;
+    gate.metric = metric.id;
+    gate.maximum = metric.id == "iou" ? 1 : 0.1;
     gate.origin = study::CompareOption{"--max"};
     comparison.judgements.push_back(study::judge(gate, metric));
   }

@@ -87,7 +87,10 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
   EXPECT_EQ(written(withTruth)["panels"][0]["pictures"][0]["truth"]["weights"], "regions/w.exr");
 
   Keys resultKeys{"method", "light", "view", "answer", "region", "samples", "tp", "fp", "fn", "tn"};
-  for (const std::string_view name : study::pointLightMetricNames()) resultKeys.emplace_back(name);
+  using enum compare::MetricKind;
+  for (const std::string& name :
+       compare::namesOf(compare::metricsOfKinds({rate, boundary, length})))
+    resultKeys.emplace_back(name);
   resultKeys.emplace_back("undefined");
   EXPECT_EQ(keysOf(json["results"][0]), resultKeys);
 }
@@ -207,10 +210,12 @@ TEST(SummaryJson, UndefinedIsNullWithAReason) {
   EXPECT_EQ(lit["undefined"].value("fnr", ""), "the truth has no shadow");
   EXPECT_FALSE(lit["undefined"].contains("error_rate"));
   const ordered_json& distant = json["results"][2];
-  for (const std::string_view name : study::pointLightMetricNames()) {
-    EXPECT_TRUE(distant[std::string(name)].is_null()) << name;
-    EXPECT_EQ(distant["undefined"].value(std::string(name), ""),
-              study::isRate(name) ? "no samples" : "measured over all samples together only")
+  using enum compare::MetricKind;
+  for (const compare::MetricId id : compare::metricsOfKinds({rate, boundary, length})) {
+    const std::string name(id.name());
+    EXPECT_TRUE(distant[name].is_null()) << name;
+    EXPECT_EQ(distant["undefined"].value(name, ""),
+              id.kind() == rate ? "no samples" : "measured over all samples together only")
         << name;
   }
   EXPECT_TRUE(json["thresholds"][1]["value"].is_null());

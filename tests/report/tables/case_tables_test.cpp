@@ -66,7 +66,7 @@ TEST(MetricsCsv, OneRowAResultAndOneCellAColumn) {
   const study::StudyRecord record = sampleRecord();
   const Lines table = parse(metricsCsv(record));
   ASSERT_EQ(table.size(), 1 + 3 * 2 * 4U);
-  for (const auto& row : table) EXPECT_EQ(row.size(), 11 + study::pointLightMetricNames().size());
+  for (const auto& row : table) EXPECT_EQ(row.size(), 11U + 22);
   EXPECT_EQ(metricsCsv(record).substr(0, 64),
             "study,method,light,view,answer,region,samples,tp,fp,fn,tn,error_");
 }
@@ -86,7 +86,7 @@ TEST(MetricsCsv, ValuesReadBackExactly) {
     EXPECT_EQ(row[6], std::to_string(result.counts.samples));
     EXPECT_EQ(std::stod(row[column(table, "fp")]), result.counts.falsePositive);
     for (const compare::Metric& metric : study::metricsOf(result)) {
-      const std::string& cell = row[column(table, std::string(metric.name))];
+      const std::string& cell = row[column(table, std::string(metric.name()))];
       EXPECT_EQ(cell.empty(), !metric.value.has_value());
       if (metric.value) {
         EXPECT_EQ(std::stod(cell), *metric.value);
@@ -123,11 +123,11 @@ TEST(MetricsCsv, RefusesNumbersThatAreNotFinite) {
 TEST(MetricsCsv, HasColumnsOfSharesOnlyUnderADisc) {
   study::StudyRecord record = sampleRecord();
   const std::size_t columns = metricsTable(record).columns.size();
-  for (const std::string_view name : compare::shareMetricNames()) {
-    record.results.front().shares.push_back({name, 0.125, {}});
-  }
+  using enum compare::MetricKind;
+  const auto ids = compare::metricsOfKinds({share, penumbra});
+  for (const compare::MetricId id : ids) record.results.front().shares.push_back({id, 0.125, {}});
   const Table table = metricsTable(record);
-  EXPECT_EQ(table.columns.size(), columns + compare::shareMetricNames().size());
+  EXPECT_EQ(table.columns.size(), columns + ids.size());
   for (const Row& row : table.rows) EXPECT_EQ(row.cells.size(), table.columns.size());
 }
 

@@ -145,15 +145,15 @@ TEST(RankedTable, MeansTheIntervalsOfItsViews) {
   };
   record.confidence = {row("camera", "all", {0.01, 0.03}),
                        row("camera", "elevation 15°", {0.5, 0.9})};
-  EXPECT_FALSE(study::rankMethods(record).front().interval) << "the atlas has none";
+  EXPECT_FALSE(study::rankMethods(record).front().means.interval) << "the atlas has none";
   record.confidence.push_back(row("atlas", "all", {0.02, 0.09}));
   const auto method = study::rankMethods(record).front();
-  ASSERT_TRUE(method.interval);
+  ASSERT_TRUE(method.means.interval);
   EXPECT_EQ(method.label, "best");
-  EXPECT_DOUBLE_EQ(method.interval->low, 0.015);
-  EXPECT_DOUBLE_EQ(method.interval->high, 0.06);
+  EXPECT_DOUBLE_EQ(method.means.interval->low, 0.015);
+  EXPECT_DOUBLE_EQ(method.means.interval->high, 0.06);
   record.confidence.back().interval.reset();
-  EXPECT_FALSE(study::rankMethods(record).front().interval);
+  EXPECT_FALSE(study::rankMethods(record).front().means.interval);
 }
 
 TEST(RankedTable, DrawsItsBarsInOneScale) {

@@ -15,11 +15,10 @@ StudyRecord sample() {
   record.radius = {12.5, "a rule"};
   record.truth.microTriangles = 1'000'003;
   record.truth.flips = {{"camera", "evening", 0.25, 0.5, {}}};
-  for (const std::string_view name : compare::boundaryMetricNames()) {
-    record.truth.flips[0].boundaries.push_back({name, 0.125, {}});
+  for (const compare::MetricId id : compare::metricsOfKinds({compare::MetricKind::boundary})) {
+    record.truth.flips[0].boundaries.push_back({id, 0.125, {}});
   }
-  record.truth.flips[0].boundaries[0] = {
-      compare::boundaryMetricNames()[0], {}, compare::boundaryReasons()[0]};
+  record.truth.flips[0].boundaries[0] = {"assd", {}, compare::boundaryReasons()[0]};
   record.methods = {{"ours", "onoue-2004", "title", "citation", {"curvature", "circle"}}};
   record.refused = {{"theirs", "a reason"}};
   ResultRecord result;
@@ -78,7 +77,7 @@ TEST(RecordFields, ComeBackToTheBit) {
   EXPECT_EQ(cache::bytesOf(read), bytes);
   EXPECT_EQ(read.name, "small/5");
   EXPECT_EQ(read.truth.flips[0].boundaries[0].reason, compare::boundaryReasons()[0]);
-  EXPECT_EQ(read.truth.flips[0].boundaries[1].name, compare::boundaryMetricNames()[1]);
+  EXPECT_EQ(read.truth.flips[0].boundaries[1].name(), "hd95");
   EXPECT_EQ(read.truth.flips[0].boundaries[1].value, 0.125);
   EXPECT_EQ(read.results[1].lengths, record.results[1].lengths);
   EXPECT_EQ(read.results[1].answer, Answer::test);
