@@ -1,5 +1,6 @@
 #include "cli/shards/shard.h"
 
+#include "cli/shards/shard_file.h"
 #include "common/error.h"
 #include "support/error_messages.h"
 #include "support/scoped_variable.h"
@@ -15,6 +16,26 @@ TEST(Shard, IsReadAndWritten) {
   EXPECT_EQ(parseShard("2/16"), (Shard{2, 16}));
   EXPECT_EQ(parseShard("1/1"), (Shard{1, 1}));
   EXPECT_EQ(shardText({2, 16}), "2/16");
+}
+
+TEST(Shard, HasAsManyCasesAsTheOthersToOneAndAllHaveEachOnce) {
+  for (const std::size_t count : {0, 1, 5, 6, 1000}) {
+    std::size_t next = 0;
+    for (int i = 1; i <= 6; ++i) {
+      const CaseRange cases = casesOf({i, 6}, count);
+      EXPECT_EQ(cases.begin, next);
+      EXPECT_GE(cases.end - cases.begin, count / 6);
+      EXPECT_LE(cases.end - cases.begin, count / 6 + 1);
+      next = cases.end;
+    }
+    EXPECT_EQ(next, count);
+  }
+}
+
+TEST(Shard, IsNoPartOfTheCommandThatAllShare) {
+  const Arguments words = {"run", "a.toml", "--shard", "1/3", "--set", "x=1", "--shard=2/3"};
+  EXPECT_EQ(withoutOption(words, "--shard"), (Arguments{"run", "a.toml", "--set", "x=1"}));
+  EXPECT_EQ(withoutOption(words, "--out"), words);
 }
 
 TEST(Shard, AnythingElseIsRefused) {

@@ -216,14 +216,6 @@ than = "unshadowed"
 
   ASSERT_EQ(gnomon({"run", "small.toml", "--shard", "1/1", "--out", "part"}).status, 0);
   add(written, "shard.json", "part/shard.json");
-  const Outcome planned = gnomon({"plan", "small.toml", "--json", "--shards", "2"});
-  ASSERT_EQ(planned.status, 0) << planned.err;
-  write("plan.json", planned.out);
-  add(written, "gnomon plan --json", "plan.json");
-  // The sums have the keys of a case.
-  std::erase_if(written["gnomon plan --json"], [](const std::string& key) {
-    return key.starts_with("all.") || key.starts_with("studies[].") || key.starts_with("shards[].");
-  });
 
   Page page = documented();
   for (auto& [heading, keys] : written) {

@@ -15,31 +15,9 @@
 
 namespace gnomon::cli {
 
-/// Where the figures of a run's cases come from, a case being a study or a step of a sweep: from
-/// measuring it, or from what shards have kept.
-class CaseSource {
- public:
-  CaseSource() = default;
-  CaseSource(const CaseSource&) = delete;
-  CaseSource& operator=(const CaseSource&) = delete;
-  virtual ~CaseSource() = default;
-
-  /// Called for all cases of a plan before the first of them is asked for.
-  virtual void prepare(const study::StudySpec& study) = 0;
-  /// What was found, no claim judged yet; its pictures are written to the folder.
-  virtual study::StudyRecord measure(const study::StudySpec& study, report::RunFolder& folder) = 0;
-  /// The figures alone, without pictures and frame times.
-  virtual study::StudyRecord measureFigures(const study::StudySpec& study) = 0;
-  /// Writes a case's report: perhaps while the next case is measured.
-  /// @param write  what it refers to stays until the reports are finished
-  virtual void report(const std::function<void()>& write) { write(); }
-  /// Waits for the reports.
-  /// @throws what the last of them threw; what an earlier one threw leaves `report`
-  virtual void finishReports() {}
-};
-
-/// Measures, and tells how far it is on the terminal, or whom the request names.
-class MeasuredCases final : public CaseSource {
+/// Measures the cases of a run, a case being a study or a step of a sweep, and tells how far it is
+/// on the terminal, or whom the request names.
+class MeasuredCases {
  public:
   /// All outlive the source.
   /// @param count  of the cases that will be measured
@@ -47,11 +25,18 @@ class MeasuredCases final : public CaseSource {
                 std::size_t count)
       : gl_(gl), request_(request), cache_(cache), line_("", count) {}
 
-  void prepare(const study::StudySpec& study) override;
-  study::StudyRecord measure(const study::StudySpec& study, report::RunFolder& folder) override;
-  study::StudyRecord measureFigures(const study::StudySpec& study) override;
-  void report(const std::function<void()>& write) override;
-  void finishReports() override { reports_.finish(); }
+  /// Called for all cases of a plan before the first of them is measured.
+  void prepare(const study::StudySpec& study);
+  /// What was found, no claim judged yet; its pictures are written to the folder.
+  study::StudyRecord measure(const study::StudySpec& study, report::RunFolder& folder);
+  /// The figures alone, without pictures and frame times.
+  study::StudyRecord measureFigures(const study::StudySpec& study);
+  /// Writes a case's report: perhaps while the next case is measured.
+  /// @param write  what it refers to stays until the reports are finished
+  void report(const std::function<void()>& write);
+  /// Waits for the reports.
+  /// @throws what the last of them threw; what an earlier one threw leaves `report`
+  void finishReports() { reports_.finish(); }
 
  private:
   template <typename Work>

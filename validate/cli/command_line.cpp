@@ -31,7 +31,6 @@
 #include "cli/output.h"
 #include "cli/paper_request.h"
 #include "cli/shards/merge_command.h"
-#include "cli/shards/plan_command.h"
 #include "cli/shards/shard.h"
 #include "common/error.h"
 #include "common/system/interruption.h"
@@ -83,18 +82,10 @@ Examples:
   gnomon cache --limit 20GB
   gnomon cache --clear)";
 
-constexpr const char* planExamples = R"(
-Estimates from one measured case, that of median cost, which later calls need not measure again.
-Prints a line for each case, or, of more than 50 cases, a line for each study.
-
-Examples:
-  gnomon plan scenes/*.toml
-  gnomon plan scenes/height-sweep.toml --shards 6
-  gnomon plan scenes/*.toml --json)";
-
 constexpr const char* mergeExamples = R"(
-Writes the same files as a run without shards. It reads the studies again, by the file names that the
-shards were given: call it in the same folder.
+Copies the folders of the shards' cases and writes sweeps, rankings and a suite's statistics from their
+summaries. It reads the studies again, by the file names that the shards were given: call it in the same
+folder.
 
 Example, each shard on any machine:
   gnomon run scenes/height-sweep.toml --shard 1/2 --out shards/1
@@ -141,17 +132,6 @@ void addRunOptions(CLI::App& command, RunRequest& request) {
                 "then gives the same folder, byte for byte")
       ->excludes(figures);
   addQuickOption(command, request);
-}
-
-void addPlanOptions(CLI::App& command, PlanRequest& request) {
-  addRunOptions(command, request.run);
-  command.add_flag("--json", request.json, "Print JSON with all cases and the estimate's parts");
-  command
-      .add_option("--shards", request.shards,
-                  "Also how long so many shards take, and the command that gives them to Slurm")
-      ->check(CLI::Range(1, mostShards))
-      ->type_name("N");
-  command.footer(planExamples);
 }
 
 void addCheckOptions(CLI::App& command, CheckRequest& request) {
@@ -297,8 +277,8 @@ std::string suggestion(const CLI::App& app) {
   addRunOptions(*run, request);
   std::optional<std::string> shard;
   run->add_option("--shard", shard,
-                  "Run only the I-th of N parts of all cases, of about the same cost; merge puts "
-                  "them together. Without it an array of Slurm or a sharded test says which")
+                  "Run only the I-th of N equal parts of all cases; merge puts them together. "
+                  "Without it an array of Slurm or a sharded test says which")
       ->type_name("I/N");
   run->footer(runExamples);
   CLI::App* check = app.add_subcommand(
@@ -324,10 +304,6 @@ std::string suggestion(const CLI::App& app) {
                    "most 4 million triangles in all")
       ->type_name("N");
   exported->footer(exportExamples);
-  PlanRequest planning;
-  CLI::App* plan =
-      app.add_subcommand("plan", "List the cases of a run with expected time and memory");
-  addPlanOptions(*plan, planning);
   MergeRequest merging;
   CLI::App* merge = addMergeCommand(app, merging);
   CompareRequest comparison;
@@ -371,7 +347,7 @@ std::string suggestion(const CLI::App& app) {
   }
   if (app.get_subcommands().empty()) {
     throw UsageError(
-        "a command expected: run, plan, merge, gather, check, compare, bake, truth, export, view, "
+        "a command expected: run, merge, gather, check, compare, bake, truth, export, view, "
         "cache, suite, list or init. "
         "See gnomon --help");
   }
@@ -390,7 +366,6 @@ std::string suggestion(const CLI::App& app) {
                             : truth->parsed()    ? traceStudies(request)
                             : exported->parsed() ? exportStudies(request, subdivisions)
                             : check->parsed()    ? checkStudies(checkRequest)
-                            : plan->parsed()     ? planStudies(planning)
                             : merge->parsed()    ? mergeShards(merging)
                                                  : runStudies(request);
   return static_cast<int>(status);

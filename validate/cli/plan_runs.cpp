@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "cli/output.h"
 #include "cli/study_plans.h"
@@ -42,7 +41,7 @@ std::string figuresCommand(const study::StudyPlan& plan) {
 std::string commandOf(const study::StudyPlan& plan, const study::StudySpec& step,
                       const RunRequest& request) {
   if (request.metricsOnly) return figuresCommand(plan);
-  if (!plan.sweep) return request.command;
+  if (!isStep(step)) return request.command;
   const fs::path copy = request.out / step.name / study::studyCopyName(step.name);
   return "gnomon run " + shellQuoted(copy.string());
 }
@@ -55,7 +54,8 @@ study::CaseRecord reproductionOf(const study::StudySpec& study, const fs::path& 
 }
 
 study::StudyRecord runOne(const study::StudyPlan& plan, const study::StudySpec& study,
-                          CaseSource& cases, const RunRequest& request, report::RunFolder& folder) {
+                          MeasuredCases& cases, const RunRequest& request,
+                          report::RunFolder& folder) {
   study::CaseRecord reproduction = reproductionOf(study, folder.path());
   study::StudyRecord record = cases.measure(study, folder);
   writeCopy(reproduction.settings, folder, reproduction.file);
@@ -66,7 +66,8 @@ study::StudyRecord runOne(const study::StudyPlan& plan, const study::StudySpec& 
 
 /// The figures of a study; of one that is no step of a sweep also its copy, in its folder.
 study::StudyRecord runFigures(const study::StudyPlan& plan, const study::StudySpec& study,
-                              CaseSource& cases, const RunRequest& request, RunFolders& folders) {
+                              MeasuredCases& cases, const RunRequest& request,
+                              RunFolders& folders) {
   study::CaseRecord reproduction;
   if (!plan.sweep) {
     report::RunFolder& folder = folders.of(study.name);
@@ -76,10 +77,10 @@ study::StudyRecord runFigures(const study::StudyPlan& plan, const study::StudySp
   study::StudyRecord record = cases.measureFigures(study);
   record.command = commandOf(plan, study, request);
   record.reproduction = std::move(reproduction);
-  return report::figuresAlone(std::move(record), plan.sweep.has_value());
+  return report::figuresAlone(std::move(record), isStep(study));
 }
 
-void measureStep(const study::StudyPlan& plan, const study::StudySpec& step, CaseSource& cases,
+void measureStep(const study::StudyPlan& plan, const study::StudySpec& step, MeasuredCases& cases,
                  const RunRequest& request, Records& records) {
   study::StudyRecord record =
       request.metricsOnly ? runFigures(plan, step, cases, request, records.folders)
@@ -105,7 +106,7 @@ void report(const study::StudySpec& study, Records& records, std::size_t own,
 
 /// The same, the reports perhaps while the next step is measured, of a copy.
 void reportBeside(const study::StudySpec& study, Records& records, std::size_t own,
-                  const RunRequest& request, cache::Cache& cache, CaseSource& cases) {
+                  const RunRequest& request, cache::Cache& cache, MeasuredCases& cases) {
   records.all[own].claims = study::judgeClaims(study.claims, records.all[own]);
   const std::string& name = records.all[own].name;
   if (!records.folders.holds(name)) return;
@@ -117,7 +118,7 @@ void reportBeside(const study::StudySpec& study, Records& records, std::size_t o
 /// Waits for the reports of a plan, however it ends: they are written to its records' folders.
 class ReportsOfPlan {
  public:
-  explicit ReportsOfPlan(CaseSource& cases) : cases_(cases) {}
+  explicit ReportsOfPlan(MeasuredCases& cases) : cases_(cases) {}
   ReportsOfPlan(const ReportsOfPlan&) = delete;
   ReportsOfPlan& operator=(const ReportsOfPlan&) = delete;
   ~ReportsOfPlan() {
@@ -129,7 +130,7 @@ class ReportsOfPlan {
   void finish() { cases_.finishReports(); }
 
  private:
-  CaseSource& cases_;
+  MeasuredCases& cases_;
 };
 
 study::SweepRecord sweepOf(const PlanRecords& part, const Records& records,
@@ -143,14 +144,6 @@ study::SweepRecord sweepOf(const PlanRecords& part, const Records& records,
   return sweep;
 }
 
-void writeSweep(const PlanRecords& part, Records& records, const RunRequest& request,
-                cache::Cache& cache) {
-  report::RunFolder& folder = records.folders.of(part.plan->name);
-  const study::SweepRecord sweep = sweepOf(part, records, request);
-  if (request.metricsOnly) return report::writeFigureFiles(sweep, folder);
-  report::writeSweepFiles(sweep, request.paper, folder, cache);
-}
-
 /// @throws InputError naming the first mask of another program that is missing
 void requireMasks(const study::StudySpec& step) {
   inStudy(step, [&] {
@@ -160,14 +153,11 @@ void requireMasks(const study::StudySpec& step) {
   });
 }
 
-void runSteps(const PlanRecords& part, CaseSource& cases, const RunRequest& request,
+void runSteps(const PlanRecords& part, MeasuredCases& cases, const RunRequest& request,
               cache::Cache& cache, Records& records, const StepJudge& judgeStep) {
   const study::StudyPlan& plan = *part.plan;
   for (const study::StudySpec& step : plan.steps) requireMasks(step);
   for (const study::StudySpec& step : plan.steps) cases.prepare(step);
-  report::RunFolder& folder = records.folders.of(plan.name);
-  std::optional<toml::table> swept;
-  if (plan.sweep) swept = study::sweepStudy(plan.steps.front(), request.options, folder.path());
   ReportsOfPlan reports(cases);
   for (const study::StudySpec& step : plan.steps) {
     measureStep(plan, step, cases, request, records);
@@ -176,22 +166,10 @@ void runSteps(const PlanRecords& part, CaseSource& cases, const RunRequest& requ
     reportBeside(step, records, records.all.size() - 1, request, cache, cases);
   }
   reports.finish();
-  if (swept) {
-    writeCopy(*swept, folder, study::studyCopyName(plan.name));
-    writeSweep(part, records, request, cache);
-  }
+  if (plan.sweep) writeSweep(part, request, cache, records);
 }
 
 }  // namespace
-
-void runStep(const study::StudyPlan& plan, const study::StudySpec& step, CaseSource& cases,
-             const RunRequest& request, cache::Cache& cache, Records& records,
-             const StepJudge& judge) {
-  measureStep(plan, step, cases, request, records);
-  if (judge) judge(records.all.back());
-  // At once, so that a later failure leaves this one's report.
-  report(step, records, records.all.size() - 1, request, cache);
-}
 
 std::size_t caseCount(std::span<const study::StudyPlan> plans) {
   std::size_t count = 0;
@@ -199,7 +177,7 @@ std::size_t caseCount(std::span<const study::StudyPlan> plans) {
   return count;
 }
 
-PlanRecords runPlan(const study::StudyPlan& plan, CaseSource& cases, const RunRequest& request,
+PlanRecords runPlan(const study::StudyPlan& plan, MeasuredCases& cases, const RunRequest& request,
                     cache::Cache& cache, Records& records, const StepJudge& judge) {
   const PlanRecords part{&plan, records.all.size()};
   try {
@@ -219,8 +197,18 @@ void reportPlan(const PlanRecords& part, const RunRequest& request, cache::Cache
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     report(plan.steps[i], records, part.first + i, request, cache);
   }
-  if (!plan.sweep) return;
-  writeSweep(part, records, request, cache);
+  if (plan.sweep) writeSweep(part, request, cache, records);
+}
+
+void writeSweep(const PlanRecords& part, const RunRequest& request, cache::Cache& cache,
+                Records& records) {
+  const study::StudyPlan& plan = *part.plan;
+  report::RunFolder& folder = records.folders.of(plan.name);
+  writeCopy(study::sweepStudy(plan.steps.front(), request.options, folder.path()), folder,
+            study::studyCopyName(plan.name));
+  const study::SweepRecord sweep = sweepOf(part, records, request);
+  if (request.metricsOnly) return report::writeFigureFiles(sweep, folder);
+  report::writeSweepFiles(sweep, request.paper, folder, cache);
 }
 
 study::StudyMeans meansOf(const PlanRecords& part, const RunRequest& request,

@@ -44,17 +44,15 @@ using StepJudge = std::function<void(study::StudyRecord&)>;
 /// stays.
 /// @param cache    what earlier runs left, and what this one leaves
 /// @param records  its folders have been claimed and cleared
-PlanRecords runPlan(const study::StudyPlan& plan, CaseSource& cases, const RunRequest& request,
+PlanRecords runPlan(const study::StudyPlan& plan, MeasuredCases& cases, const RunRequest& request,
                     cache::Cache& cache, Records& records, const StepJudge& judge = {});
-
-/// Runs one step of a plan, for which the source is prepared, adds its records and writes its
-/// folder with its reports.
-void runStep(const study::StudyPlan& plan, const study::StudySpec& step, CaseSource& cases,
-             const RunRequest& request, cache::Cache& cache, Records& records,
-             const StepJudge& judge = {});
 
 /// Writes a plan's reports anew.
 void reportPlan(const PlanRecords& part, const RunRequest& request, cache::Cache& cache,
+                Records& records);
+
+/// Writes a sweep's own files, from the records of all its steps.
+void writeSweep(const PlanRecords& part, const RunRequest& request, cache::Cache& cache,
                 Records& records);
 
 /// What the plan gives to the ranking.

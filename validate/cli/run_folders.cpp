@@ -13,7 +13,6 @@ namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
-const report::FolderKind runKind{"summary.json", {"report.html"}};
 const report::FolderKind rankingKind{
     "ranking.json", {"ranking.csv", "ranking.md", "ranking.html"}, "ranking.txt"};
 
@@ -23,6 +22,8 @@ std::string subfolderOf(const std::string& step) {
 }
 
 }  // namespace
+
+const report::FolderKind studyFolderKind{"summary.json", {"report.html"}};
 
 std::vector<fs::path> inputsBeside(const study::StudyPlan& plan) {
   std::vector<fs::path> inputs = study::inputFiles(plan.steps.front());
@@ -58,7 +59,7 @@ void RunFolders::claim(const study::StudyPlan& plan, const fs::path& out, bool w
   const auto add = [&](const std::string& name) {
     const std::string copy = study::studyCopyName(name);
     study::requireCopyOrNothing(out / name / copy);
-    report::RunFolder folder(out / name, runKind);
+    report::RunFolder folder(out / name, studyFolderKind);
     folder.requireNone(inputs);
     found.insert_or_assign(name, Claimed{std::move(folder), copy, {}});
   };

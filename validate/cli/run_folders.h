@@ -12,6 +12,9 @@
 
 namespace gnomon::cli {
 
+/// The folder of a study, a sweep or a step of one.
+extern const report::FolderKind studyFolderKind;
+
 /// Locks a folder of results for this process, and creates it where it is not there.
 /// @throws InputError where another process holds it, and as RunFolder
 FileLock lockFolder(const report::RunFolder& folder);

@@ -1,43 +1,52 @@
 #include "cli/run_plans.h"
 
 #include <algorithm>
+#include <memory>
 
-#include "cli/failure.h"
+#include "cli/case_source.h"
+#include "cli/commands/cache_command.h"
 #include "cli/output.h"
-#include "cli/plan_runs.h"
 #include "report/page/terminal_report.h"
+#include "report/plots/gnuplot.h"
 
 namespace gnomon::cli {
 
-ExitStatus worstProblem(const std::vector<study::StudyRecord>& records) {
-  ExitStatus worst = ExitStatus::pass;
-  for (const study::StudyRecord& record : records)
-    worst = std::max(worst, study::worstOf(record.problems));
-  return worst;
+void claimFolders(const std::vector<study::StudyPlan>& plans, const RunRequest& request,
+                  RunFolders& folders) {
+  for (const study::StudyPlan& plan : plans) {
+    folders.claim(plan, request.out, !request.metricsOnly);
+  }
+  if (!request.shard && isRanking(plans)) folders.claimRanking(request.out);
+  folders.clear(request.out);
 }
 
-ExitStatus runPlans(const std::vector<study::StudyPlan>& plans, CaseSource& cases,
-                    const RunRequest& request, cache::Cache& cache) {
+ExitStatus measurePlans(const std::vector<study::StudyPlan>& plans, const RunRequest& request,
+                        Failures& failures) {
+  if (!request.metricsOnly) report::askGnuplotVersion();  // which it tells while OpenGL starts
+  const render::GlContext gl;
+  if (!request.metricsOnly) requirePlots();
+  const std::unique_ptr<cache::Cache> cache = openCache(request.noCache);
+  MeasuredCases cases(gl, request, *cache, caseCount(plans));
   Records records;
-  for (const study::StudyPlan& plan : plans) {
-    records.folders.claim(plan, request.out, !request.metricsOnly);
-  }
-  if (isRanking(plans)) records.folders.claimRanking(request.out);
-  records.folders.clear(request.out);
-  Failures failures;
+  claimFolders(plans, request, records.folders);
   std::vector<PlanRecords> whole;
   for (const study::StudyPlan& plan : plans) {
-    failures.attempt([&] { whole.push_back(runPlan(plan, cases, request, cache, records)); });
+    failures.attempt([&] { whole.push_back(runPlan(plan, cases, request, *cache, records)); });
   }
+  return finishPlans(whole, request, records, failures);
+}
+
+ExitStatus finishPlans(std::span<const PlanRecords> plans, const RunRequest& request,
+                       Records& records, Failures& failures) {
   std::vector<study::StudyMeans> ranked;
-  for (const PlanRecords& part : whole) {
+  for (const PlanRecords& part : plans) {
     failures.attempt([&] {
       study::StudyMeans means = meansOf(part, request, records);
       printPlan(part, request, records);
       if (isRanked(*part.plan)) ranked.push_back(std::move(means));
     });
   }
-  if (ranked.size() > 1) {
+  if (ranked.size() > 1 && !request.shard) {
     failures.attempt([&] {
       reportRanking(ranked, request, records.folders.ranking());
       printText(report::terminalReport(ranked, coloursWanted()) + "\n");
@@ -46,7 +55,12 @@ ExitStatus runPlans(const std::vector<study::StudyPlan>& plans, CaseSource& case
     });
   }
   failures.print();
-  return std::max(failures.status(), worstProblem(records.all));
+  // A run judges no gate; a method that the driver did not let it measure is a problem.
+  ExitStatus worst = failures.status();
+  for (const study::StudyRecord& record : records.all) {
+    worst = std::max(worst, study::worstOf(record.problems));
+  }
+  return worst;
 }
 
 }  // namespace gnomon::cli

@@ -1,24 +1,30 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "cache/cache.h"
-#include "cli/case_source.h"
 #include "cli/commands/run_command.h"
+#include "cli/failure.h"
+#include "cli/plan_runs.h"
 #include "common/error.h"
-#include "study/record/record.h"
 #include "study/spec/sweep/sweep.h"
 
 namespace gnomon::cli {
 
-/// Runs all plans of a command, one after the other, from a source of their cases, writes their
-/// folders and their ranking, and prints their tables: what runStudies says.
-/// @return pass, or the largest status of the plans that failed and of the records' problems
-ExitStatus runPlans(const std::vector<study::StudyPlan>& plans, CaseSource& cases,
-                    const RunRequest& request, cache::Cache& cache);
+/// Claims and clears the folders that a command writes to, before anything is written.
+void claimFolders(const std::vector<study::StudyPlan>& plans, const RunRequest& request,
+                  RunFolders& folders);
 
-/// A run judges no gate; a method that the driver did not let it measure is a problem.
-/// @return the largest status of the records' problems
-ExitStatus worstProblem(const std::vector<study::StudyRecord>& records);
+/// Measures all plans of a command, one after the other, writes their folders and their ranking,
+/// and prints their tables: what runStudies says.
+/// @param failures  those of the plans are added
+/// @return pass, or the largest status of the failures and of the records' problems
+ExitStatus measurePlans(const std::vector<study::StudyPlan>& plans, const RunRequest& request,
+                        Failures& failures);
+
+/// Prints the tables of plans whose folders are written, and writes and prints their ranking.
+/// @return likewise
+ExitStatus finishPlans(std::span<const PlanRecords> plans, const RunRequest& request,
+                       Records& records, Failures& failures);
 
 }  // namespace gnomon::cli

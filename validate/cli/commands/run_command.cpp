@@ -4,12 +4,10 @@
 
 #include <memory>
 
-#include "cli/case_source.h"
 #include "cli/commands/cache_command.h"
 #include "cli/failure.h"
 #include "cli/output.h"
 #include "cli/paper_request.h"
-#include "cli/plan_runs.h"
 #include "cli/run_plans.h"
 #include "cli/shards/shard_run.h"
 #include "cli/study_plans.h"
@@ -17,7 +15,6 @@
 #include "common/files/part_file.h"
 #include "common/system/memory.h"
 #include "horizon/table_file.h"
-#include "report/plots/gnuplot.h"
 #include "study/run/truth_study.h"
 
 namespace gnomon::cli {
@@ -43,12 +40,8 @@ ExitStatus runStudies(const RunRequest& request) {
   if (request.shard) return runShard(request);
   const std::vector<study::StudyPlan> plans = readPlans(request.studies, request.options);
   requirePaperMethods(request.paper, plans);
-  if (!request.metricsOnly) report::askGnuplotVersion();  // which it tells while OpenGL starts
-  const render::GlContext gl;
-  if (!request.metricsOnly) requirePlots();
-  const std::unique_ptr<cache::Cache> cache = openCache(request.noCache);
-  MeasuredCases cases(gl, request, *cache, caseCount(plans));
-  return runPlans(plans, cases, request, *cache);
+  Failures failures;
+  return measurePlans(plans, request, failures);
 }
 
 ExitStatus bakeStudies(const RunRequest& request) {

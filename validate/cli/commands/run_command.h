@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/shards/arguments.h"
 #include "cli/shards/shard.h"
 #include "common/error.h"
 #include "report/paper/paper_options.h"
@@ -24,9 +23,9 @@ struct RunRequest {
   /// folder, byte for byte.
   bool metricsOnly = false;
   report::PaperOptions paper;
-  std::string command;            ///< the command line, for the report
-  Arguments arguments;            ///< the same, word by word
-  std::optional<Shard> shard;     ///< runs only this part of the cases, see runShard
+  std::string command;                 ///< the command line, for the report
+  std::vector<std::string> arguments;  ///< the same, word by word
+  std::optional<Shard> shard;          ///< runs only this part of the cases, see runShard
   study::StageProgress progress;  ///< told how far a run is; a line on the terminal, if it is empty
 };
 

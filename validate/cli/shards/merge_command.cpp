@@ -2,47 +2,33 @@
 
 #include <fmt/core.h>
 
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
 
-#include "cli/case_source.h"
 #include "cli/commands/cache_command.h"
 #include "cli/failure.h"
 #include "cli/plan_runs.h"
 #include "cli/run_plans.h"
-#include "cli/shards/shard_checks.h"
 #include "cli/study_plans.h"
-#include "report/ci/github_annotations.h"
-#include "report/plots/gnuplot.h"
+#include "common/files/atomic_file.h"
+#include "report/json/summary_reader.h"
+#include "study/judge/claims.h"
+#include "study/run/scene/environment.h"
+#include "study/spec/study_inputs.h"
 
 namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
-/// Takes the cases from what shards have kept: each once.
-class KeptCases final : public CaseSource {
- public:
-  explicit KeptCases(std::map<std::string, FoundCase> cases) : cases_(std::move(cases)) {}
-
-  void prepare(const study::StudySpec&) override {}
-
-  study::StudyRecord measure(const study::StudySpec& study, report::RunFolder& folder) override {
-    FoundCase& found = cases_.at(study.name);
-    for (const KeptFile& file : found.kept.files) {
-      folder.write(file.name, readKept(found.folder, file));
-    }
-    return std::move(found.kept.record);
-  }
-
-  study::StudyRecord measureFigures(const study::StudySpec& study) override {
-    return std::move(cases_.at(study.name).kept.record);
-  }
-
- private:
-  std::map<std::string, FoundCase> cases_;
+struct ShardFolder {
+  fs::path path;
+  ShardFile file;
 };
+
+std::string nameOf(const ShardFolder& shard) {
+  return fmt::format("{}: shard {}", shard.path.string(), shardText(shard.file.shard));
+}
 
 void refuseShardAsOut(const MergeRequest& request) {
   for (const fs::path& shard : request.shards) {
@@ -53,38 +39,148 @@ void refuseShardAsOut(const MergeRequest& request) {
   }
 }
 
-ExitStatus refuse(const std::vector<Defect>& defects) {
-  for (const Defect& defect : defects) {
-    printFailure({ExitStatus::badInput, defect.what});
-    if (defect.command.empty()) continue;
-    printError(report::withoutWorkflowCommands("  " + defect.command + "\n"));
+std::string programText(const std::string& version, const std::string& commit) {
+  return commit.empty() ? version : version + " " + commit;
+}
+
+/// Checks that a shard is of this program and of the same run as the first.
+void requireSame(const ShardFolder& shard, const ShardFolder& first) {
+  const auto refuse = [&](const std::string& found, const std::string& expected) {
+    throw InputError(fmt::format("{} is {}, {} expected", nameOf(shard), found, expected));
+  };
+  const std::string own = programText(study::programVersion(), study::programCommit());
+  const std::string its = programText(shard.file.version, shard.file.commit);
+  if (its != own) refuse("by Gnomon " + its, "by " + own);
+  const std::string as = ", as " + first.path.string() + " is,";
+  if (shard.file.shard.count != first.file.shard.count) {
+    refuse(fmt::format("one of {} shards", shard.file.shard.count),
+           fmt::format("of {}{}", first.file.shard.count, as));
   }
-  return ExitStatus::badInput;
+  if (shard.file.arguments != first.file.arguments) {
+    refuse(fmt::format("of `{}`", commandText(shard.file.arguments)),
+           fmt::format("of `{}`{}", commandText(first.file.arguments), as));
+  }
+}
+
+/// Where a shard that is missing may go: beside another one.
+fs::path placeOf(const Shard& shard, const fs::path& other) {
+  fs::path beside = other.lexically_normal();
+  if (!beside.has_filename()) beside = beside.parent_path();  // a slash at the end
+  return beside.parent_path() / fmt::format("shard-{}-of-{}", shard.index, shard.count);
+}
+
+/// All shards of a run in their order.
+std::vector<ShardFolder> readShards(const std::vector<fs::path>& folders) {
+  std::vector<ShardFolder> given;
+  for (const fs::path& folder : folders) given.push_back({folder, readShardFile(folder)});
+  const int count = given.front().file.shard.count;
+  std::vector<ShardFolder> shards(static_cast<std::size_t>(count));
+  for (const ShardFolder& shard : given) {
+    requireSame(shard, given.front());
+    ShardFolder& place = shards.at(static_cast<std::size_t>(shard.file.shard.index - 1));
+    if (!place.path.empty()) {
+      throw InputError(
+          fmt::format("{} is there twice, in {} too", nameOf(shard), place.path.string()));
+    }
+    place = shard;
+  }
+  for (int index = 1; index <= count; ++index) {
+    if (!shards[static_cast<std::size_t>(index - 1)].path.empty()) continue;
+    const Shard missing{index, count};
+    const std::string out = placeOf(missing, folders.front()).string();
+    throw InputError(fmt::format("shard {} is missing: {}", shardText(missing),
+                                 shardCommand(given.front().file, missing, out)));
+  }
+  return shards;
+}
+
+void requireStudies(const ShardFolder& shard, const std::vector<study::StudyPlan>& plans) {
+  const ShardFile now = shardFileOf(shard.file.shard, shard.file.arguments, plans);
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    if (i < shard.file.studies.size() && shard.file.studies[i] == now.studies[i]) continue;
+    throw InputError(fmt::format("{} is of another text of {}: {}", nameOf(shard),
+                                 plans[i].steps.front().file.string(),
+                                 shardCommand(shard.file, shard.file.shard, shard.path.string())));
+  }
+}
+
+/// The record of a case, from the summary that its shard has written.
+study::StudyRecord readCase(const ShardFolder& shard, const study::StudySpec& step) {
+  const fs::path folder = shard.path / step.name;
+  study::StudyRecord record = report::readSummary(folder / "summary.json");
+  const auto hashesOf = [](const std::vector<study::InputRecord>& inputs) {
+    std::vector<std::string> hashes;
+    for (const study::InputRecord& input : inputs) hashes.push_back(input.sha256);
+    return hashes;
+  };
+  if (hashesOf(record.reproduction.inputs) != hashesOf(study::studyInputs(step, folder))) {
+    throw InputError(fmt::format("{} is of other files of {}: {}", nameOf(shard), step.name,
+                                 shardCommand(shard.file, shard.file.shard, shard.path.string())));
+  }
+  record.atlasViews = study::atlasViewsOf(step);
+  record.claims = study::judgeClaims(step.claims, record);
+  return record;
+}
+
+/// The shard that has measured each case.
+std::vector<const ShardFolder*> shardsOfCases(const std::vector<ShardFolder>& shards,
+                                              std::size_t count) {
+  std::vector<const ShardFolder*> of(count);
+  for (const ShardFolder& shard : shards) {
+    const CaseRange cases = casesOf(shard.file.shard, count);
+    for (std::size_t i = cases.begin; i < cases.end; ++i) of[i] = &shard;
+  }
+  return of;
+}
+
+void copyFolder(const fs::path& from, report::RunFolder& folder) {
+  folder.removeIndex();
+  const report::RunFolder measured(from, studyFolderKind);
+  for (const std::string& name : measured.names()) {
+    if (name != studyFolderKind.index) folder.write(name, readFile(from / name));
+  }
+  folder.finish(readFile(from / studyFolderKind.index));
+  replaceFile(folder.listFile(), readFile(measured.listFile()), Sync::later, folder.path());
 }
 
 }  // namespace
 
 ExitStatus mergeShards(const MergeRequest& request) {
   refuseShardAsOut(request);
-  std::vector<Defect> defects;
-  const std::vector<ShardFolder> given = readShards(request.shards, defects);
-  if (given.empty()) return refuse(defects);
-  const ShardManifest& common = commonManifest(given);
-  const std::vector<ShardFolder> shards =
-      checkedShards(given, common, request.out.string(), defects);
-  // The first shard's: a run without shards has its words, the number of threads among them.
-  const Arguments arguments = withOut(
-      shards.empty() ? common.arguments : shards.front().manifest.arguments, request.out.string());
+  const std::vector<ShardFolder> shards = readShards(request.shards);
+  Arguments arguments = shards.front().file.arguments;
+  if (request.out != RunRequest().out) {
+    arguments.insert(arguments.end(), {"--out", request.out.string()});
+  }
   RunRequest run = request.readRun(arguments);
-  run.out = request.out;
   run.command = commandText(arguments);
   const std::vector<study::StudyPlan> plans = readPlans(run.studies, run.options);
-  std::map<std::string, FoundCase> found = findCases(shards, common, plans, defects);
-  if (!defects.empty()) return refuse(defects);
+  for (const ShardFolder& shard : shards) requireStudies(shard, plans);
+
+  const std::vector<const ShardFolder*> shardOf = shardsOfCases(shards, caseCount(plans));
+  Records records;
+  std::vector<PlanRecords> parts;
+  for (const study::StudyPlan& plan : plans) {
+    parts.push_back({&plan, records.all.size()});
+    for (const study::StudySpec& step : plan.steps) {
+      const ShardFolder& shard = *shardOf[records.all.size()];
+      records.all.push_back(inStudy(step, [&] { return readCase(shard, step); }));
+    }
+  }
+
   if (!run.metricsOnly) requirePlots();
   const std::unique_ptr<cache::Cache> cache = openCache(run.noCache || request.noCache);
-  KeptCases cases(std::move(found));
-  return runPlans(plans, cases, run, *cache);
+  claimFolders(plans, run, records.folders);
+  Failures failures;
+  for (const PlanRecords& part : parts) {
+    for (std::size_t i = 0; i < part.plan->steps.size(); ++i) {
+      const std::string& name = part.plan->steps[i].name;
+      if (!records.folders.holds(name)) continue;
+      copyFolder(shardOf[part.first + i]->path / name, records.folders.of(name));
+    }
+    if (part.plan->sweep) writeSweep(part, run, *cache, records);
+  }
+  return finishPlans(parts, run, records, failures);
 }
 
 }  // namespace gnomon::cli

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/commands/run_command.h"
-#include "cli/shards/arguments.h"
+#include "cli/shards/shard_file.h"
 #include "common/error.h"
 
 namespace gnomon::cli {
@@ -20,16 +20,15 @@ struct MergeRequest {
   std::function<RunRequest(const Arguments& arguments)> readRun;
 };
 
-/// Writes what the run without shards would have written to the same folder: all figures and
-/// pictures are those that the shards have kept, and the reports are made from them by the very
-/// functions of a run. No OpenGL is needed. Studies are read again, by the names that the shards'
-/// command gives them.
-///
-/// First everything is looked through, and nothing is written where something is amiss: a folder
-/// without a manifest, a shard that is missing, doubled, not whole, of another command, version or
-/// study. Each is named on a line of standard error, followed by the command that makes up for it.
-/// @return as runStudies; badInput where something is amiss
-/// @throws InputError and UsageError as readPlans; UsageError for an `out` that is a shard's
+/// Puts the shards of a run together: copies the folders of their cases, reads the records in their
+/// `summary.json`, and writes from these what is over several cases (a sweep's files, a ranking,
+/// a suite's statistics) by the functions of a run. With `--metrics-only` every file is the same,
+/// byte for byte, as that of the run without shards. No OpenGL is needed. Studies are read again,
+/// by the names that the shards' command gives them.
+/// @return as runStudies
+/// @throws InputError, before anything is written, for a shard that is missing, with the command
+///   that makes it; for one that is there twice, is not finished, or is of another command, version
+///   or study; as readPlans. UsageError for an `out` that is a shard's
 ExitStatus mergeShards(const MergeRequest& request);
 
 }  // namespace gnomon::cli

@@ -62,6 +62,12 @@ Shard shardOfTests() {
 
 }  // namespace
 
+CaseRange casesOf(const Shard& shard, std::size_t count) {
+  const auto index = static_cast<std::size_t>(shard.index);
+  const auto shards = static_cast<std::size_t>(shard.count);
+  return {(index - 1) * count / shards, index * count / shards};
+}
+
 std::string shardText(const Shard& shard) {
   return fmt::format("{}/{}", shard.index, shard.count);
 }

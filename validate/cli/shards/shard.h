@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,16 @@ struct Shard {
   int count = 1;
   bool operator==(const Shard&) const = default;
 };
+
+/// Neighbours of the list of all cases, from `begin` up to `end`.
+struct CaseRange {
+  std::size_t begin = 0, end = 0;
+  [[nodiscard]] bool has(std::size_t place) const { return begin <= place && place < end; }
+};
+
+/// The cases of a shard, of `count` cases of all shards together: equally many, to one. Neighbours
+/// of a sweep share what does not change between them.
+CaseRange casesOf(const Shard& shard, std::size_t count);
 
 constexpr int mostShards = 100'000;
 

@@ -34,6 +34,14 @@ bool JsonReader::has(const char* key) const {
   return json_->is_object() && json_->contains(key);
 }
 
+bool JsonReader::isNull(const char* key) const {
+  return has(key) && json_->at(key).is_null();
+}
+
+bool JsonReader::flag(const char* key) const {
+  return at(key, "true or false", &Json::is_boolean).get<bool>();
+}
+
 std::string JsonReader::text(const char* key) const {
   return at(key, "a string", &Json::is_string).get<std::string>();
 }
@@ -43,12 +51,21 @@ double JsonReader::number(const char* key) const {
 }
 
 std::optional<double> JsonReader::numberOrNull(const char* key) const {
-  if (has(key) && json_->at(key).is_null()) return std::nullopt;
+  if (isNull(key)) return std::nullopt;
   return number(key);
 }
 
 JsonReader JsonReader::object(const char* key) const {
   return {at(key, "an object", &Json::is_object), file_, path_ + key + "."};
+}
+
+std::vector<std::string> JsonReader::texts(const char* key) const {
+  std::vector<std::string> entries;
+  for (const Json& entry : at(key, "a list", &Json::is_array)) {
+    if (!entry.is_string()) fail(key, "a list of strings expected");
+    entries.push_back(entry.get<std::string>());
+  }
+  return entries;
 }
 
 std::vector<JsonReader> JsonReader::list(const char* key) const {

@@ -27,7 +27,11 @@ class JsonReader {
   [[nodiscard]] std::optional<double> numberOrNull(const char* key) const;
   [[nodiscard]] JsonReader object(const char* key) const;
   [[nodiscard]] std::vector<JsonReader> list(const char* key) const;
+  [[nodiscard]] std::vector<std::string> texts(const char* key) const;
+  [[nodiscard]] bool flag(const char* key) const;
   [[nodiscard]] bool has(const char* key) const;
+  /// Whether the key is there with the value null.
+  [[nodiscard]] bool isNull(const char* key) const;
 
  private:
   [[nodiscard]] const Json& at(const char* key, const char* expected,

@@ -1,26 +1,124 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "cache/byte_stream.h"
+#include "common/error.h"
 #include "common/packed_shades.h"
 #include "compare/block_errors.h"
+#include "compare/boundaries.h"
 #include "compare/confidence_interval.h"
 #include "compare/sample_layout.h"
+#include "compare/share_metrics.h"
 #include "horizon/angle_table.h"
 #include "horizon/horizon_bake.h"
 #include "horizon/horizon_ellipses.h"
 #include "render/bakes/gpu_bake.h"
 #include "render/passes/method_pass.h"
 #include "render/view.h"
-#include "study/record/record_fields.h"
+#include "study/record/record.h"
 #include "study/run/scene/method_outcome.h"
 #include "surface/sample_grid.h"
 #include "truth/shadow_tracer.h"
 
 namespace gnomon::cache {
 
-/// How the results in a cache are written and read, field by field: see byte_stream.h.
+/// How the results in a cache are written and read, field by field: see byte_stream.h. A struct
+/// that is named in a structured binding does not compile with a member that would be lost.
+
+template <typename Stream, SameAs<compare::Counts> T>
+void fields(Stream& stream, T& counts) {
+  auto& [truePositive, falsePositive, falseNegative, trueNegative, samples] = counts;
+  stream(truePositive, falsePositive, falseNegative, trueNegative, samples);
+}
+
+template <typename Stream, SameAs<compare::ShadowLengths> T>
+void fields(Stream& stream, T& lengths) {
+  auto& [runs, ratio, lowerQuartile, upperQuartile, truthLength] = lengths;
+  stream(runs, ratio, lowerQuartile, upperQuartile, truthLength);
+}
+
+/// Metrics whose texts are constants, kept by their places in the lists of them.
+struct ListedMetrics {
+  std::vector<compare::Metric> metrics;
+  const std::vector<std::string_view>* names;
+  const std::vector<std::string_view>* reasons;
+};
+
+/// The place of a text in a list; the list's size for an empty one.
+inline std::uint64_t placeIn(const std::vector<std::string_view>& list, std::string_view text) {
+  const auto found = std::find(list.begin(), list.end(), text);
+  if (found == list.end() && !text.empty()) throw InternalError("a metric's text is in no list");
+  return static_cast<std::uint64_t>(found - list.begin());
+}
+
+inline std::string_view textAt(const std::vector<std::string_view>& list, std::uint64_t place) {
+  if (place > list.size()) throw DamagedBytes();
+  return place < list.size() ? list[place] : std::string_view();
+}
+
+template <typename Stream, SameAs<ListedMetrics> T>
+void fields(Stream& stream, T& listed) {
+  std::uint64_t count = listed.metrics.size();
+  stream(count);
+  if constexpr (!std::is_const_v<T>) {
+    if (count > listed.names->size()) throw DamagedBytes();
+    listed.metrics.resize(count);
+  }
+  for (auto& metric : listed.metrics) {
+    std::uint64_t name = placeIn(*listed.names, metric.name);
+    std::uint64_t reason = placeIn(*listed.reasons, metric.reason);
+    stream(name, metric.value, reason);
+    if constexpr (!std::is_const_v<T>) {
+      metric.name = textAt(*listed.names, name);
+      metric.reason = textAt(*listed.reasons, reason);
+    }
+  }
+}
+
+/// A record's boundary metrics, in their place among its other members.
+template <typename Stream, SameAs<std::vector<compare::Metric>> T>
+void boundaryFields(Stream& stream, T& metrics) {
+  ListedMetrics listed{metrics, &compare::boundaryMetricNames(), &compare::boundaryReasons()};
+  stream(listed);
+  if constexpr (!std::is_const_v<T>) metrics = std::move(listed.metrics);
+}
+
+/// Likewise its share metrics.
+template <typename Stream, SameAs<std::vector<compare::Metric>> T>
+void shareFields(Stream& stream, T& metrics) {
+  ListedMetrics listed{metrics, &compare::shareMetricNames(), &compare::shareReasons()};
+  stream(listed);
+  if constexpr (!std::is_const_v<T>) metrics = std::move(listed.metrics);
+}
+
+template <typename Stream, SameAs<study::UncertaintyRecord> T>
+void fields(Stream& stream, T& flip) {
+  auto& [view, light, flipRate, lengthError, boundaries, percentile99, shares, percentile999,
+         brightening] = flip;
+  stream(view, light, flipRate, lengthError, percentile99, percentile999, brightening);
+  boundaryFields(stream, boundaries);
+  shareFields(stream, shares);
+}
+
+template <typename Stream, SameAs<study::TruthRecord> T>
+void fields(Stream& stream, T& truth) {
+  auto& [triangles, step, uncertainty, bvh, mesh, flips, asked] = truth;
+  stream(triangles, step, uncertainty, bvh, mesh, flips, asked);
+}
+
+template <typename Stream, SameAs<study::WorstPlace> T>
+void fields(Stream& stream, T& place) {
+  auto& [left, top, side, error, answer, truth] = place;
+  stream(left, top, side, error, answer, truth);
+}
+
+template <typename Stream, SameAs<study::LayersRecord> T>
+void fields(Stream& stream, T& layers) {
+  auto& [lit, dark] = layers;
+  stream(lit, dark);
+}
 
 template <typename Stream, SameAs<Mask> T>
 void fields(Stream& stream, T& mask) {

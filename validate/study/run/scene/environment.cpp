@@ -90,6 +90,14 @@ EnvironmentRecord describeEnvironment(const render::GlContext& gl) {
   return environment;
 }
 
+std::vector<std::string> atlasViewsOf(const StudySpec& study) {
+  std::vector<std::string> names;
+  for (const ViewSpec& view : study.views) {
+    if (cameraOf(view) == nullptr) names.push_back(view.name);
+  }
+  return names;
+}
+
 StudyRecord startRecord(const StudySpec& study, const render::GlContext& gl) {
   StudyRecord record;
   record.environment = describeEnvironment(gl);
@@ -97,9 +105,7 @@ StudyRecord startRecord(const StudySpec& study, const render::GlContext& gl) {
   record.title = study.title;
   record.source = study.source;
   record.file = study.file.string();
-  for (const ViewSpec& view : study.views) {
-    if (cameraOf(view) == nullptr) record.atlasViews.push_back(view.name);
-  }
+  record.atlasViews = atlasViewsOf(study);
   record.radius = {study.radius.texels, radiusReason(study)};
   return record;
 }

@@ -24,6 +24,9 @@ std::string programCommit();
 /// Versions and hardware, for whoever gets other figures.
 EnvironmentRecord describeEnvironment(const render::GlContext& gl);
 
+/// The names of the views whose lengths are in texels.
+std::vector<std::string> atlasViewsOf(const StudySpec& study);
+
 /// A record that says which study was measured where, and nothing that was found.
 StudyRecord startRecord(const StudySpec& study, const render::GlContext& gl);
 
