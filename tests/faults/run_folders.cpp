@@ -21,8 +21,9 @@ bool holdsTimes(const std::string& name) {
          file.ends_with("frame-time.svg");
 }
 
+/// Or a file in a part folder.
 bool isPartFile(const std::string& name) {
-  return fs::path(name).filename().string().starts_with(".gnomon-");
+  return name.starts_with(".gnomon-") || name.find("/.gnomon-") != std::string::npos;
 }
 
 /// The files of one folder with an index, without the folders below that have their own.
@@ -89,7 +90,7 @@ Shown shownBy(const FolderContent& folder, const std::vector<FolderContent>& who
   Shown shown = Shown::notWhole;
   for (const auto& [name, bytes] : folder) {
     const fs::path path(name);
-    if (!isIndex(name)) continue;
+    if (!isIndex(name) || isPartFile(name)) continue;
     const std::string prefix = path.has_parent_path() ? path.parent_path().string() + "/" : "";
     const FolderContent found = partOf(folder, prefix);
     const bool isOne =

@@ -1,9 +1,5 @@
-#include <fcntl.h>
 #include <fmt/core.h>
 #include <gmock/gmock.h>
-#include <signal.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include "faults/run_folders.h"
 
@@ -122,7 +118,6 @@ TEST_F(StaleFiles, NoSummaryIsLeftOfAStudyThatFails) {
         replaced(named("c"), "eye = [0, 0, 80]", "eye = [0, 0, 80]\ntarget = [0, 0, 160]"));
   EXPECT_EQ(gnomon(all, environment()).status, 3);
   EXPECT_FALSE(fs::exists(file("out/c/summary.json")));
-  EXPECT_FALSE(fs::exists(file("out/c/images")));
   // The others are run all the same, and ranked without it.
   for (const char* name : {"a", "b"}) {
     EXPECT_TRUE(fs::exists(file("out") / name / "summary.json")) << name;
@@ -154,30 +149,6 @@ TEST_F(StaleFiles, AStudyCanBeRunFromItsOwnCopy) {
   for (const auto& [name, bytes] : before) {
     EXPECT_TRUE(after.contains(name.substr(std::string("small/").size()))) << name;
   }
-}
-
-TEST_F(StaleFiles, AFolderInUseIsRefusedUntilItsHolderIsGone) {
-  expectRun("small", smallStudy());
-  const FolderContent before = contentOf(file("out"));
-  const int list = ::open(file("out/small/files.txt").c_str(), O_RDWR | O_CLOEXEC);
-  ASSERT_EQ(::flock(list, LOCK_EX), 0);
-  for (const char* command : {"run", "check"}) {
-    const Outcome outcome = run(
-        command, "small", otherStudy() + "\n[[threshold]]\nmethod = \"unshadowed\"\nmax = 0.9\n");
-    EXPECT_EQ(outcome.status, 3);
-    EXPECT_EQ(outcome.err,
-              "gnomon: out/small: another run is writing into this folder; wait for its end, or "
-              "choose another --out\n");
-    EXPECT_EQ(differences(contentOf(file("out")), before), nothing);
-  }
-  ::close(list);
-  // A run that is killed holds it no longer.
-  const int process = startCommand(folder(), {GNOMON_PROGRAM, "run", "small.toml", "--no-cache"},
-                                   environment(), "/dev/null", "/dev/null");
-  for (int i = 0; i < 2000 && fs::exists(file("out/small/summary.json")); ++i) ::usleep(2000);
-  ::kill(process, SIGKILL);
-  (void)endOf(process);
-  expectRun("small", otherStudy());
 }
 
 }  // namespace

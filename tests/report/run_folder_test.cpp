@@ -43,73 +43,85 @@ class RunFolders : public TemporaryFolder {
   using Names = std::set<std::string>;
 };
 
-TEST_F(RunFolders, TheNextRunRemovesWhatTheEarlierWroteAndNothingElse) {
-  whole({"report.html", "images/a.png", "plots/b.svg", "masks/test/c.png"});
-  put(run() / "notes.txt");
-  put(run() / "images/mine.png");
-  put(run() / "masks/mine/d.png");
-  RunFolder next(run(), kind);
-  next.clear();
-  EXPECT_EQ(content(), (Names{"files.txt", "notes.txt", "images/", "images/mine.png", "masks/",
-                              "masks/mine/", "masks/mine/d.png"}));
-}
-
-TEST_F(RunFolders, TheListNamesAFileBeforeItIsThere) {
+TEST_F(RunFolders, NothingIsInItsPlaceUntilAllIsWritten) {
   RunFolder folder(run(), kind);
   folder.clear();
-  const fs::path path = folder.newFile("images/a.png");
-  EXPECT_FALSE(fs::exists(path));
-  EXPECT_TRUE(RunFolder(run(), kind).names("images/a.png"));
+  folder.write("images/a.png", "of the run");
+  EXPECT_FALSE(fs::exists(run()));
+  EXPECT_TRUE(fs::exists(folder.path() / "images/a.png"));
+  folder.finish("{}");
+  EXPECT_EQ(folder.path(), run());
+  EXPECT_EQ(content(), (Names{"files.txt", "summary.json", "images/", "images/a.png"}));
+  folder.write("b.csv", "later");
+  folder.finish("{1}");
+  EXPECT_TRUE(RunFolder(run(), kind).names("b.csv"));
+  EXPECT_EQ(readFile(run() / "summary.json"), "{1}");
 }
 
-TEST_F(RunFolders, ARunThatWasKilledIsClearedTheSameWay) {
+TEST_F(RunFolders, TheNextRunReplacesWhatTheEarlierWroteAndNothingElse) {
+  whole({"report.html", "images/a.png", "plots/b.svg", "masks/test/c.png"});
+  const Names mine = {"notes.txt", "images/mine.png", "masks/mine/d.png", "export/files.txt"};
+  for (const std::string& name : mine) put(run() / name);
+  RunFolder next(run(), kind);
+  next.clear();
+  EXPECT_FALSE(fs::exists(run() / "summary.json"));
+  EXPECT_TRUE(fs::exists(run() / "plots/b.svg"));
+  next.finish("{}");
+  EXPECT_EQ(content(),
+            (Names{"files.txt", "summary.json", "notes.txt", "images/", "images/mine.png", "masks/",
+                   "masks/mine/", "masks/mine/d.png", "export/", "export/files.txt"}));
+  for (const std::string& name : mine) EXPECT_EQ(readFile(run() / name), "mine");
+}
+
+TEST_F(RunFolders, ARunThatEndsEarlyLeavesNothing) {
   {
-    RunFolder killed(run(), kind);
-    killed.clear();
-    killed.write("images/a.png", "whole");
-    // Its list ends within a name, whose file it had not made.
-    std::ofstream(killed.listFile(), std::ios::app) << "images/b.p";
+    RunFolder folder(run(), kind);
+    folder.clear();
+    folder.write("images/a.png", "whole");
   }
-  put(run() / "images/b.p");
-  RunFolder(run(), kind).clear();
-  EXPECT_EQ(content(), (Names{"files.txt", "images/", "images/b.p"}));
-  for (const char* begun : {"", "# Written by"}) {
-    put(run() / "files.txt", begun);
-    EXPECT_NO_THROW(RunFolder(run(), kind).clear()) << begun;
-  }
+  EXPECT_TRUE(fs::is_empty(folder()));
 }
 
 TEST_F(RunFolders, FoldersOfValuesGoWithTheirSweep) {
   {
     RunFolder sweep(run(), kind);
     sweep.clear();
-    sweep.add("0.5/");
-    RunFolder value(run() / "0.5", kind);
-    value.clear();
+    RunFolder value(sweep, "0.5");
     value.write("images/a.png", "x");
     value.finish("{}");
-    put(run() / "7/images/a.png");
+    EXPECT_FALSE(fs::exists(run()));
+    sweep.finish("{}");
+    EXPECT_EQ(value.path(), run() / "0.5");
   }
-  RunFolder(run(), kind).clear();
-  EXPECT_EQ(content(), (Names{"files.txt", "7/", "7/images/", "7/images/a.png"}));
+  EXPECT_TRUE(fs::exists(run() / "0.5/summary.json"));
+  put(run() / "0.5/mine.txt");
+  put(run() / "7/images/a.png");
+  RunFolder next(run(), kind);
+  next.clear();
+  next.finish("{}");
+  EXPECT_EQ(content(), (Names{"files.txt", "summary.json", "0.5/", "0.5/mine.txt", "7/",
+                              "7/images/", "7/images/a.png"}));
 }
 
-TEST_F(RunFolders, WhatIsReadFromStays) {
-  whole({"a.toml", "b.csv"});
-  const std::vector<fs::path> kept = {run() / "../run/a.toml"};
-  RunFolder folder(run(), kind);
-  folder.clear(kept);
-  EXPECT_EQ(content(), (Names{"files.txt", "a.toml"}));
-  EXPECT_TRUE(RunFolder(run(), kind).names("a.toml"));
-  EXPECT_NO_THROW(folder.write("a.toml", "new"));
+TEST_F(RunFolders, OfASharedKindItsFilesLieAmongOthers) {
+  const FolderKind ranking{"ranking.json", {"ranking.csv"}, "ranking.txt", true};
+  put(run() / "mine/summary.json");
+  for (const char* name : {"plots/a.svg", "b.csv"}) {
+    RunFolder folder(run(), ranking);
+    folder.clear();
+    folder.write(name, "x");
+    folder.finish("{}");
+  }
+  EXPECT_EQ(content(), (Names{"ranking.txt", "ranking.json", "plots/", "b.csv", "mine/",
+                              "mine/summary.json"}));
 }
 
 TEST_F(RunFolders, FilesOfOthersAreNotReplaced) {
   put(run() / "table.csv");
-  put(run() / "link");
   RunFolder folder(run(), kind);
   folder.clear();
-  EXPECT_THAT(messageOf<InputError>([&] { folder.write("table.csv", "x"); }),
+  folder.write("table.csv", "x");
+  EXPECT_THAT(messageOf<InputError>([&] { folder.finish("{}"); }),
               HasSubstr("table.csv: is in the way"));
   EXPECT_EQ(readFile(run() / "table.csv"), "mine");
   for (const char* name : {"summary.json", "report.html"}) {
@@ -146,17 +158,12 @@ TEST_F(RunFolders, NothingBehindALinkIsRemoved) {
   put(file("victim"));
   fs::remove(run() / "b.csv");
   fs::create_symlink(file("victim"), run() / "b.csv");
-  RunFolder(run(), kind).clear();
+  RunFolder next(run(), kind);
+  next.clear();
+  next.finish("{}");
   EXPECT_EQ(readFile(file("elsewhere/a.png")), "mine");
   EXPECT_EQ(readFile(file("victim")), "mine");
   EXPECT_FALSE(fs::exists(fs::symlink_status(run() / "b.csv")));
-}
-
-TEST_F(RunFolders, TheIndexGoesFirst) {
-  whole({"images/a.png"});
-  RunFolder folder(run(), kind);
-  folder.removeIndex();
-  EXPECT_EQ(content(), (Names{"files.txt", "images/", "images/a.png"}));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 namespace {
 
 void writeCopy(const toml::table& study, report::RunFolder& folder, const std::string& name) {
-  folder.write(name, study::studyCopyText(study, folder.path() / name));
+  folder.write(name, study::studyCopyText(study, folder.place() / name));
 }
 
 /// The command that gives figures again, from their own folder: it does not tell where that is.
@@ -56,7 +56,7 @@ study::CaseRecord reproductionOf(const study::StudySpec& study, const fs::path& 
 study::StudyRecord runOne(const study::StudyPlan& plan, const study::StudySpec& study,
                           MeasuredCases& cases, const RunRequest& request,
                           report::RunFolder& folder) {
-  study::CaseRecord reproduction = reproductionOf(study, folder.path());
+  study::CaseRecord reproduction = reproductionOf(study, folder.place());
   study::StudyRecord record = cases.measure(study, folder);
   writeCopy(reproduction.settings, folder, reproduction.file);
   record.command = commandOf(plan, study, request);
@@ -71,7 +71,7 @@ study::StudyRecord runFigures(const study::StudyPlan& plan, const study::StudySp
   study::CaseRecord reproduction;
   if (!plan.sweep) {
     report::RunFolder& folder = folders.of(study.name);
-    reproduction = reproductionOf(study, folder.path());
+    reproduction = reproductionOf(study, folder.place());
     writeCopy(reproduction.settings, folder, reproduction.file);
   }
   study::StudyRecord record = cases.measureFigures(study);
@@ -204,7 +204,7 @@ void writeSweep(const PlanRecords& part, const RunRequest& request, cache::Cache
                 Records& records) {
   const study::StudyPlan& plan = *part.plan;
   report::RunFolder& folder = records.folders.of(plan.name);
-  writeCopy(study::sweepStudy(plan.steps.front(), request.options, folder.path()), folder,
+  writeCopy(study::sweepStudy(plan.steps.front(), request.options, folder.place()), folder,
             study::studyCopyName(plan.name));
   const study::SweepRecord sweep = sweepOf(part, records, request);
   if (request.metricsOnly) return report::writeFigureFiles(sweep, folder);

@@ -16,13 +16,11 @@ study::StudyRecord figuresAlone(study::StudyRecord record, bool isStep) {
 }
 
 void writeFigureFiles(const study::StudyRecord& record, RunFolder& folder) {
-  folder.removeIndex();
   folder.write("cases.csv", longCsv(record));
   folder.finish(summaryJson(record));
 }
 
 void writeFigureFiles(const study::SweepRecord& sweep, RunFolder& folder) {
-  folder.removeIndex();
   folder.write("cases.csv", longCsv(sweep));
   folder.finish(sweepJson(sweep));
 }

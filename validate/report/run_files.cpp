@@ -40,7 +40,6 @@ std::vector<DrawnPlot> writePlots(const std::function<std::vector<PlotSheet>(Plo
 
 void writeRunFiles(const study::StudyRecord& record, const PaperOptions& paper, RunFolder& folder,
                    cache::Cache& cache) {
-  folder.removeIndex();
   folder.write("metrics.csv", csvTable(metricsTable(record)));
   const Table ranked = rankedTable(record, study::rankMethods(record));
   for (const TableFormat& format : tableFormats()) {
@@ -64,7 +63,6 @@ void writeRunFiles(const study::StudyRecord& record, const PaperOptions& paper, 
 
 void writeSweepFiles(const study::SweepRecord& sweep, const PaperOptions& paper, RunFolder& folder,
                      cache::Cache& cache) {
-  folder.removeIndex();
   folder.write("sweep.csv", csvTable(sweepMeansTable(sweep)));
   folder.write("cases.csv", longCsv(sweep));
   writePaperFiles(sweep, paper, folder);

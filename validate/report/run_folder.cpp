@@ -1,20 +1,15 @@
 #include "report/run_folder.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <optional>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/disk_sync.h"
-#include "common/files/part_file.h"
 
 namespace gnomon::report {
 namespace fs = std::filesystem;
@@ -26,21 +21,16 @@ constexpr std::string_view firstLine =
 /// Of names that a list may hold: none leads out of the folder.
 bool isInside(const std::string& name) {
   const fs::path path(name);
-  const bool isPlain = std::all_of(path.begin(), path.end(), [](const fs::path& part) {
-    return part != ".." && part != "." && !part.string().empty();
-  });
-  return !name.empty() && path.is_relative() && isPlain;
-}
-
-std::string withoutSlash(const std::string& name) {
-  return name.ends_with('/') ? name.substr(0, name.size() - 1) : name;
+  return path.is_relative() && std::none_of(path.begin(), path.end(), [](const fs::path& part) {
+           return part == ".." || part == ".";
+         });
 }
 
 /// The names of a list; none where there is no such file.
-std::optional<std::set<std::string>> readList(const fs::path& file) {
+std::set<std::string> readList(const fs::path& file) {
   std::error_code failure;
   const fs::file_status status = fs::symlink_status(file, failure);
-  if (!fs::exists(status)) return std::nullopt;
+  if (!fs::exists(status)) return {};
   const auto refuse = [&](std::size_t line, const std::string& found) -> InputError {
     return InputError(fmt::format("{}:{}: {} found, a run's list of its files expected",
                                   file.string(), line, found));
@@ -48,42 +38,15 @@ std::optional<std::set<std::string>> readList(const fs::path& file) {
   constexpr std::uintmax_t mostBytes = 1 << 26;
   if (!fs::is_regular_file(status)) throw refuse(1, "no file");
   if (fs::file_size(file) > mostBytes) throw refuse(1, "a larger file");
-  const std::string text = readFile(file);
-  std::set<std::string> names;
-  std::istringstream lines(text);
+  std::istringstream lines(readFile(file));
   std::string line;
-  for (std::size_t number = 1; std::getline(lines, line); ++number) {
-    // A killed run may have left a part of a line, whose file is not there.
-    if (lines.eof()) break;
-    if (number == 1 && line != firstLine) throw refuse(1, "another first line");
-    if (number == 1) continue;
-    if (!isInside(withoutSlash(line))) throw refuse(number, "\"" + line + "\"");
+  if (!std::getline(lines, line) || line != firstLine) throw refuse(1, "another first line");
+  std::set<std::string> names;
+  for (std::size_t number = 2; std::getline(lines, line); ++number) {
+    if (line.empty() || !isInside(line)) throw refuse(number, "\"" + line + "\"");
     names.insert(line);
   }
-  // Empty, or only a part of the first line: it was begun.
-  if (names.empty() && !firstLine.starts_with(text.substr(0, text.find('\n')))) {
-    throw refuse(1, "another first line");
-  }
   return names;
-}
-
-void append(const fs::path& file, const std::string& text, bool anew) {
-  const int mode = O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | (anew ? O_TRUNC : O_APPEND);
-  const int descriptor = ::open(file.c_str(), mode, 0666);
-  const off_t before = descriptor < 0 ? 0 : ::lseek(descriptor, 0, SEEK_END);
-  errno = descriptor < 0 ? errno : ENOSPC;  // which a part that is written does not set
-  const bool isWritten =
-      descriptor >= 0 && ::write(descriptor, text.data(), text.size()) == std::ssize(text);
-  const int error = errno;
-  if (descriptor >= 0) {
-    // No name that is written later may be joined to a part of this one.
-    const bool isWhole = isWritten || ::ftruncate(descriptor, before) == 0;
-    (void)isWhole;
-    ::close(descriptor);
-  }
-  if (isWritten) return;
-  throw InputError(fmt::format("{}: cannot be written: {}", file.string(),
-                               std::generic_category().message(error)));
 }
 
 bool isThere(const fs::path& path) {
@@ -101,13 +64,6 @@ bool liesIn(const fs::path& folder, const fs::path& path) {
   return std::mismatch(whole.begin(), whole.end(), above.begin(), above.end()).first == whole.end();
 }
 
-bool isOneOf(const fs::path& path, std::span<const fs::path> files) {
-  return std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
-    std::error_code failure;
-    return fs::equivalent(path, file, failure);
-  });
-}
-
 void removeFile(const fs::path& path) {
   std::error_code failure;
   const fs::file_status status = fs::symlink_status(path, failure);
@@ -117,112 +73,99 @@ void removeFile(const fs::path& path) {
   throw InputError(fmt::format("{}: cannot be removed: {}", path.string(), failure.message()));
 }
 
-/// The folders below it that hold a file of the list, the deepest first.
-std::set<fs::path, std::greater<>> foldersOf(const std::set<std::string>& names) {
-  std::set<fs::path, std::greater<>> folders;
-  for (const std::string& name : names) {
-    for (fs::path above = fs::path(name).parent_path(); !above.empty();
-         above = above.parent_path()) {
-      folders.insert(above);
+/// The files below a folder that no run's list names, relative to it.
+std::vector<fs::path> othersIn(const fs::path& folder, const std::string& list) {
+  std::vector<fs::path> others;
+  if (!isThere(folder)) return others;
+  const std::set<std::string> names = readList(folder / list);
+  for (fs::recursive_directory_iterator it(folder), end; it != end; ++it) {
+    const fs::path name = it->path().lexically_relative(folder);
+    if (fs::is_directory(it->symlink_status())) {
+      if (!names.contains(name.string() + "/")) continue;
+      it.disable_recursion_pending();
+      for (const fs::path& other : othersIn(it->path(), list)) others.push_back(name / other);
+    } else if (name != list && !names.contains(name.string())) {
+      others.push_back(name);
     }
   }
-  return folders;
+  return others;
+}
+
+InputError isInTheWay(const fs::path& path, const std::string& list) {
+  return InputError(
+      fmt::format("{}: is in the way: no run's list of its files ({}) names it, so it is not "
+                  "replaced; move it away, or choose another --out",
+                  path.string(), list));
+}
+
+/// Gives a file of somebody else a second name, in a folder of the same file system; where that
+/// has no such names, a copy.
+void keepOther(const fs::path& from, const fs::path& to) {
+  fs::create_directories(to.parent_path());
+  std::error_code failure;
+  if (!fs::is_symlink(fs::symlink_status(from))) fs::create_hard_link(from, to, failure);
+  if (failure || !isThere(to)) fs::copy(from, to, fs::copy_options::copy_symlinks);
 }
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path folder, FolderKind kind)
-    : folder_(std::move(folder)), kind_(std::move(kind)) {
-  names_ = readList(listFile()).value_or(std::set<std::string>{});
+RunFolder::RunFolder(fs::path place, FolderKind kind)
+    : place_(std::move(place)), kind_(std::move(kind)), names_(readList(place_ / kind_.list)) {
   if (!kind_.index.empty()) requireFree(kind_.index);
   for (const std::string& name : kind_.others) requireFree(name);
 }
 
+RunFolder::RunFolder(RunFolder& above, const std::string& name)
+    : place_(above.place_ / name),
+      kind_(above.kind_),
+      part_(above.part_),
+      below_(above.below_ / name) {
+  above.add(name + "/");
+}
+
+fs::path RunFolder::path() const {
+  if (!part_ || part_->path().empty()) return place_;
+  return below_.empty() ? part_->path() : part_->path() / below_;
+}
+
 void RunFolder::requireFree(const std::string& name) const {
-  if (names(name) || !isThere(folder_ / name)) return;
-  throw InputError(
-      fmt::format("{}: is in the way: no run's list of its files ({}) names it, so it is not "
-                  "replaced; move it away, or choose another --out",
-                  (folder_ / name).string(), kind_.list));
+  if (!names(name) && isThere(path() / name)) throw isInTheWay(path() / name, kind_.list);
 }
 
 void RunFolder::requireNone(std::span<const fs::path> inputs) const {
   for (const std::string& name : names_) {
-    if (!isOneOf(folder_ / name, inputs)) continue;
+    const fs::path path = place_ / name;
+    const bool isRead = std::any_of(inputs.begin(), inputs.end(), [&](const fs::path& input) {
+      std::error_code failure;
+      return fs::equivalent(path, input, failure);
+    });
+    if (!isRead) continue;
     throw InputError(fmt::format(
         "{}: an earlier run wrote this file, the new one would read it and remove it; move it "
         "away, or choose another --out",
-        (folder_ / name).string()));
+        path.string()));
   }
 }
 
-void RunFolder::removeIndex() {
-  if (names(kind_.index)) removeFile(folder_ / kind_.index);
-}
-
-std::set<std::string> RunFolder::removeFiles(std::span<const fs::path> kept) {
-  removeIndex();
-  std::set<std::string> staying;
-  for (const std::string& name : names_) {
-    const fs::path path = folder_ / name;
-    if (!liesIn(folder_, path)) continue;
-    if (name.ends_with('/')) {
-      RunFolder below(folder_ / withoutSlash(name), kind_);
-      below.remove(kept);
-      if (!below.names_.empty()) staying.insert(name);
-    } else if (isOneOf(path, kept)) {
-      staying.insert(name);
-    } else {
-      removeFile(path);
+void RunFolder::clear() {
+  if (names(kind_.index)) removeFile(place_ / kind_.index);
+  if (kind_.isShared) {
+    for (const std::string& name : names_) {
+      if (!name.ends_with('/') && liesIn(place_, place_ / name)) removeFile(place_ / name);
     }
+    removeFile(place_ / kind_.list);
+  } else {
+    part_ = std::make_shared<PartFolder>(place_);
   }
-  removeLeftovers(folder_);
-  for (const fs::path& folder : foldersOf(names_)) {
-    if (liesIn(folder_, folder_ / folder / "any")) removeLeftovers(folder_ / folder);
-  }
-  return staying;
-}
-
-void RunFolder::removeFolders() const {
-  std::error_code isNotEmpty;
-  for (const fs::path& folder : foldersOf(names_)) {
-    if (liesIn(folder_, folder_ / folder)) fs::remove(folder_ / folder, isNotEmpty);
-  }
-}
-
-void RunFolder::writeList(std::set<std::string> names) {
-  names_ = std::move(names);
-  std::string text = std::string(firstLine) + "\n";
-  for (const std::string& name : names_) text += name + "\n";
-  append(listFile(), text, true);
-}
-
-void RunFolder::clear(std::span<const fs::path> kept) {
-  std::set<std::string> staying = removeFiles(kept);
-  removeFolders();
-  std::error_code failure;  // which writing the list tells too
-  fs::create_directories(folder_, failure);
-  writeList(std::move(staying));
-}
-
-void RunFolder::remove(std::span<const fs::path> kept) {
-  if (!isThere(listFile())) return;
-  std::set<std::string> staying = removeFiles(kept);
-  if (!staying.empty()) return writeList(std::move(staying));
-  removeFile(listFile());
-  removeFolders();
   names_.clear();
-}
-
-void RunFolder::add(const std::string& name) {
-  if (!names_.insert(name).second) return;
-  append(listFile(), name + "\n", false);
 }
 
 fs::path RunFolder::newFile(const std::string& name) {
   requireFree(name);
-  add(name);
-  return folder_ / name;
+  const bool isNew = names_.insert(name).second;
+  // In its place the list names a file before it is there.
+  if (isNew && (!part_ || part_->path().empty())) writeList();
+  return path() / name;
 }
 
 void RunFolder::write(const std::string& name, std::string_view bytes) {
@@ -230,14 +173,38 @@ void RunFolder::write(const std::string& name, std::string_view bytes) {
   replaceFile(path, bytes, Sync::later, path.parent_path());
 }
 
+void RunFolder::writeList() const {
+  std::string text = std::string(firstLine) + "\n";
+  for (const std::string& name : names_) text += name + "\n";
+  replaceFile(path() / kind_.list, text, Sync::later, path());
+}
+
+void RunFolder::takePlace() {
+  if (!part_ || part_->path().empty() || !below_.empty()) return;
+  try {
+    for (const fs::path& other : othersIn(place_, kind_.list)) {
+      if (isThere(path() / other)) throw isInTheWay(place_ / other, kind_.list);
+      keepOther(place_ / other, path() / other);
+    }
+    part_->nameIt(place_);
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(
+        fmt::format("{}: cannot be replaced: {}", place_.string(), error.code().message()));
+  }
+}
+
 void RunFolder::finish() {
-  syncFileSystem(folder_);
+  writeList();
+  syncFileSystem(path());
+  takePlace();
 }
 
 void RunFolder::finish(std::string_view index) {
-  finish();
-  const fs::path path = newFile(kind_.index);
-  replaceFile(path, index, Sync::now, folder_);
+  names_.insert(kind_.index);
+  writeList();
+  syncFileSystem(path());
+  replaceFile(path() / kind_.index, index, Sync::now, path());
+  takePlace();
 }
 
 }  // namespace gnomon::report

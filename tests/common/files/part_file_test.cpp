@@ -115,8 +115,24 @@ TEST_F(PartFiles, NothingElseIsTaken) {
   EXPECT_FALSE(fs::exists(dead));
   for (const std::string& name : others) EXPECT_TRUE(fs::exists(file(name))) << name;
   EXPECT_TRUE(fs::exists(pipe));
-  EXPECT_TRUE(fs::exists(below));
+  EXPECT_FALSE(fs::exists(below));
   removeLeftovers(file("no folder"));
+}
+
+TEST_F(PartFiles, FoldersGoUnlessTheyGetAName) {
+  { const PartFolder part(file("whole")); }
+  EXPECT_EQ(count(), 0U);
+  for (const char* text : {"first", "second"}) {
+    PartFolder part(file("whole"));
+    std::ofstream(part.path() / text) << text;
+    const PartFolder other(file("other"));
+    EXPECT_TRUE(fs::exists(part.path() / text)) << "removed by a living process";
+    part.nameIt(file("whole"));
+    EXPECT_EQ(part.path(), "");
+  }
+  EXPECT_EQ(count(), 1U);
+  EXPECT_FALSE(fs::exists(file("whole/first")));
+  EXPECT_TRUE(fs::exists(file("whole/second")));
 }
 
 TEST_F(PartFiles, AreNotLostBetweenCreationAndLock) {

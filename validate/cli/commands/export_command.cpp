@@ -22,28 +22,20 @@ namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
-/// The folder of one step, locked.
-struct StepFolder {
-  report::RunFolder folder;
-  FileLock lock;
-};
-
-/// Locks `out/NAME/SUBFOLDER` of every step, then removes what an earlier command left in them.
-std::vector<StepFolder> claimFolders(const std::vector<study::StudyPlan>& plans,
-                                     const fs::path& out, const std::string& subfolder) {
+/// Claims `out/NAME/SUBFOLDER` of every step, then begins them all.
+std::vector<report::RunFolder> claimFolders(const std::vector<study::StudyPlan>& plans,
+                                            const fs::path& out, const std::string& subfolder) {
   const report::FolderKind kind{subfolder + ".json"};
-  std::vector<StepFolder> steps;
+  std::vector<report::RunFolder> folders;
   for (const study::StudyPlan& plan : plans) {
     for (const study::StudySpec& study : plan.steps) {
       const fs::path path = out / study.name / subfolder;
-      FileLock lock = lockFolder(report::RunFolder(path, kind));
-      report::RunFolder(path, kind).requireNone(inputsBeside(plan));
-      steps.push_back({report::RunFolder(path, kind), std::move(lock)});
+      folders.emplace_back(path, kind);
+      folders.back().requireNone(inputsBeside(plan));
     }
   }
-  for (StepFolder& step : steps) step.folder.removeIndex();
-  for (StepFolder& step : steps) step.folder.clear();
-  return steps;
+  for (report::RunFolder& folder : folders) folder.clear();
+  return folders;
 }
 
 /// Calls `work(study, folder, gl, clock, cache)` for every step of every study, whatever becomes of
@@ -52,13 +44,13 @@ template <typename Work>
 ExitStatus forEachStudy(const RunRequest& request, const std::string& subfolder, const Work& work) {
   const std::vector<study::StudyPlan> plans = readPlans(request.studies, request.options);
   const render::GlContext gl;
-  std::vector<StepFolder> folders = claimFolders(plans, request.out, subfolder);
+  std::vector<report::RunFolder> folders = claimFolders(plans, request.out, subfolder);
   auto next = folders.begin();
   const std::unique_ptr<cache::Cache> cache = openCache(request.noCache);
   Failures failures;
   for (const study::StudyPlan& plan : plans) {
     for (const study::StudySpec& study : plan.steps) {
-      report::RunFolder& folder = (next++)->folder;
+      report::RunFolder& folder = *next++;
       failures.attempt([&] {
         TerminalProgress progress(study.name);
         study::StageClock clock(
@@ -83,7 +75,7 @@ void traceOne(const study::StudySpec& study, report::RunFolder& folder, const re
   record.command = request.command;
   exporting::writeTruth(folder, scene, record);
   printLine(fmt::format("{}: {} views, {} lights, {} micro-triangles, uncertain by at most {} %",
-                        (folder.path() / "truth.json").string(), study.views.size(),
+                        (folder.place() / "truth.json").string(), study.views.size(),
                         study.lights.size(), report::groupedText(record.truth.microTriangles),
                         report::percentText(record.truth.uncertainty)));
   printNotices(record);
@@ -151,7 +143,7 @@ void exportOne(const study::StudySpec& study, report::RunFolder& folder,
   printLine(fmt::format(
       "{}: {} triangles displaced ({} pieces a face's side, at most {:.2g} "
       "texels off the truth's surface), {} views, {} lights",
-      (folder.path() / "export.json").string(), report::groupedText(mesh.triangles),
+      (folder.place() / "export.json").string(), report::groupedText(mesh.triangles),
       mesh.subdivisions, mesh.distance.largestTexels, study.views.size(), study.lights.size()));
   printNotices(record);
 }

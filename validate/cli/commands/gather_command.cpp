@@ -33,7 +33,7 @@ Examples:
   gnomon gather second-seed --out second --against first/suite.json)";
 
 const report::FolderKind suiteKind{
-    "suite.json", {"suite.csv", "suite.md", "suite.html"}, "suite.txt"};
+    "suite.json", {"suite.csv", "suite.md", "suite.html"}, "suite.txt", true};
 
 std::vector<report::FinishedScene> readAll(const std::vector<fs::path>& folders) {
   std::vector<report::FinishedScene> scenes;
@@ -178,11 +178,8 @@ ExitStatus gatherScenes(const GatherRequest& request) {
   if (request.choose) choice = chooseSettings(request, statistics.table);
   const std::vector<fs::path> inputs = inputsOf(request, scenes);
   if (request.choose) requireNoInput("--choose", *request.choose, inputs);
-  report::RunFolder claimed(request.out, suiteKind);
-  claimed.requireNone(inputs);
-  const FileLock lock = lockFolder(claimed);
-  // Once more: while it was not locked another command may have changed it.
   report::RunFolder folder(request.out, suiteKind);
+  folder.requireNone(inputs);
   folder.clear();
   report::writeSuiteFiles(statistics, studies, request.command, request.paper, folder);
   folder.finish(report::suiteJson(statistics, request.command));

@@ -41,9 +41,8 @@ struct RunRequest {
 /// ranking; but all studies are read before the first is run. Two studies or more are followed by a
 /// ranking of the methods over all of them: printed, and written as `out/ranking.csv`,
 /// `ranking.md`, `ranking.html` and last `ranking.json`.
-/// Before the first study is run, what earlier runs of these studies left is removed, as the lists
-/// of their files (`files.txt`, `ranking.txt`) name it, and nothing else: see RunFolder. Meanwhile
-/// the folders are locked; a second run into one of them is refused. Thresholds are judged and
+/// Before the first study is run, the summaries that earlier runs of these studies left are removed;
+/// each study's folder is replaced when it is whole: see RunFolder. Thresholds are judged and
 /// recorded, but decide nothing: see checkStudies.
 /// @return pass, or the largest status of the studies that failed
 ExitStatus runStudies(const RunRequest& request);

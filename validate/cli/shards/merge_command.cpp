@@ -134,13 +134,11 @@ std::vector<const ShardFolder*> shardsOfCases(const std::vector<ShardFolder>& sh
 }
 
 void copyFolder(const fs::path& from, report::RunFolder& folder) {
-  folder.removeIndex();
   const report::RunFolder measured(from, studyFolderKind);
   for (const std::string& name : measured.names()) {
     if (name != studyFolderKind.index) folder.write(name, readFile(from / name));
   }
   folder.finish(readFile(from / studyFolderKind.index));
-  replaceFile(folder.listFile(), readFile(measured.listFile()), Sync::later, folder.path());
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "common/error.h"
 #include "common/system/interruption.h"
 
 namespace gnomon {
@@ -74,11 +75,15 @@ bool isOld(const struct stat& file) {
 }
 
 void removeLeftover(const fs::path& path, bool isOfHere) {
-  const int file = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  constexpr int flags = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  int file = ::open(path.c_str(), O_RDWR | flags);
+  if (file < 0 && errno == EISDIR) file = ::open(path.c_str(), O_RDONLY | flags);
   if (file < 0) return;
   struct stat state {};
-  const bool isFile = ::fstat(file, &state) == 0 && S_ISREG(state.st_mode);
-  if (isFile && lockNow(file) && (isOfHere || isOld(state))) ::unlink(path.c_str());
+  const bool isOurs =
+      ::fstat(file, &state) == 0 && (S_ISREG(state.st_mode) || S_ISDIR(state.st_mode));
+  std::error_code ignored;
+  if (isOurs && lockNow(file) && (isOfHere || isOld(state))) fs::remove_all(path, ignored);
   ::close(file);
 }
 
@@ -121,6 +126,65 @@ PartFile::~PartFile() {
 void PartFile::nameIt(const fs::path& name) {
   changeUnfinished([&](Unfinished& unfinished) {
     fs::rename(path_, name);
+    unfinished.files.erase(path_);
+  });
+  path_.clear();
+}
+
+PartFolder::PartFolder(const fs::path& beside) {
+  const fs::path above = beside.has_parent_path() ? beside.parent_path() : fs::path(".");
+  try {
+    fs::create_directories(above);
+    removeLeftovers(above);
+    // As of a file, another process may take it for a leftover before it is locked.
+    while (true) {
+      const fs::path path = above / newName("");
+      changeUnfinished([&](Unfinished& unfinished) {
+        fs::create_directory(path);
+        unfinished.files.insert(path);
+      });
+      folder_ = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      const bool isLocked = folder_ >= 0 && lockNow(folder_);
+      const bool canLock = isLocked || errno == EWOULDBLOCK || errno == ENOENT;
+      if (!canLock || (isLocked && isSameFile(folder_, path))) {
+        path_ = path;
+        return;
+      }
+      if (folder_ >= 0) ::close(folder_);
+      changeUnfinished([&](Unfinished& unfinished) { unfinished.files.erase(path); });
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(
+        fmt::format("{}: cannot create the folder: {}", beside.string(), error.code().message()));
+  }
+}
+
+PartFolder::~PartFolder() {
+  if (!path_.empty()) {
+    changeUnfinished([&](Unfinished& unfinished) {
+      std::error_code ignored;
+      fs::remove_all(path_, ignored);
+      unfinished.files.erase(path_);
+    });
+  }
+  if (folder_ >= 0) ::close(folder_);
+}
+
+void PartFolder::nameIt(const fs::path& name) {
+  const fs::path old = path_.parent_path() / newName("");
+  changeUnfinished([&](Unfinished& unfinished) {
+    // Another process may give a folder of its own that name in between.
+    while (true) {
+      std::error_code failure;
+      fs::rename(name, old, failure);
+      fs::rename(path_, name, failure);
+      std::error_code ignored;
+      fs::remove_all(old, ignored);
+      if (!failure) break;
+      if (failure != std::errc::directory_not_empty && failure != std::errc::file_exists) {
+        throw fs::filesystem_error("rename", name, failure);
+      }
+    }
     unfinished.files.erase(path_);
   });
   path_.clear();

@@ -35,8 +35,33 @@ class PartFile {
   int file_ = -1;
 };
 
-/// Removes the part files in a folder whose writers are dead. Those of another machine, whose locks
-/// may not show here, are left for an hour after their last write. Never fails.
+/// A folder that is being filled and has no name of its own yet: likewise `.gnomon-….part`, locked
+/// while this object lives.
+class PartFolder {
+ public:
+  /// Creates the folder beside another one, and that one's parents; removes what dead writers left
+  /// there.
+  /// @throws InputError where it cannot be created
+  explicit PartFolder(const std::filesystem::path& beside);
+  PartFolder(const PartFolder&) = delete;
+  PartFolder& operator=(const PartFolder&) = delete;
+  /// Removes the folder with all that is in it, unless it has got a name.
+  ~PartFolder();
+
+  /// Empty when it has a name.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Gives it a name in the same file system; a folder that had that name goes with all that is in
+  /// it.
+  /// @throws std::filesystem::filesystem_error
+  void nameIt(const std::filesystem::path& name);
+
+ private:
+  std::filesystem::path path_;
+  int folder_ = -1;
+};
+
+/// Removes the part files and folders in a folder whose writers are dead. Those of another machine,
+/// whose locks may not show here, are left for an hour after their last write. Never fails.
 void removeLeftovers(const std::filesystem::path& folder);
 
 }  // namespace gnomon

@@ -28,7 +28,10 @@ Guarded& guarded() {
   Guarded& all = guarded();
   // Never released: nothing is begun any more.
   all.mutex.lock();
-  for (const std::filesystem::path& file : all.unfinished.files) ::unlink(file.c_str());
+  for (const std::filesystem::path& file : all.unfinished.files) {
+    std::error_code ignored;
+    std::filesystem::remove_all(file, ignored);
+  }
   for (const pid_t helper : all.unfinished.helpers) ::kill(helper, SIGKILL);
   const char* name = ::sigabbrev_np(signal);
   const std::string line = fmt::format("{}gnomon: ended by SIG{}\n",

@@ -10,7 +10,7 @@ namespace gnomon {
 
 /// What a signal that ends the process must not leave behind.
 struct Unfinished {
-  std::set<std::filesystem::path> files;  ///< removed
+  std::set<std::filesystem::path> files;  ///< and folders, with all that is in them: removed
   std::set<pid_t> helpers;                ///< child processes, not yet waited for: killed
 };
 
