@@ -1,12 +1,20 @@
 #include <fmt/core.h>
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
 
+#include "end_to_end/support/lasting_files.h"
 #include "end_to_end/support/program.h"
+#include "model/saved_study.h"
+#include "study/spec/study_file.h"
 
 // What a run leaves is enough to make it again.
+// A saved state of the viewer, run: the same figures and masks as the study run with the state's
+// settings.
 
 namespace gnomon::test {
 namespace {
@@ -77,14 +85,6 @@ TEST_F(Reproduction, OptionsAreInTheCopy) {
   expectSame("out/small", "again/small");
 }
 
-TEST_F(Reproduction, WithoutAStepTheTruthIsTheSame) {
-  runStudy("small", replaced(study(), "step = 0.25", ""), {"--quick"});
-  runAgain("out/small/small.toml", "again");
-  expectSame("out/small", "again/small");
-  EXPECT_EQ(summary("small").at("truth").at("micro_triangles"),
-            summary("small", "again").at("truth").at("micro_triangles"));
-}
-
 TEST_F(Reproduction, EveryValueOfASweepHasItsCommand) {
   runStudy("small", study() + "\n[sweep]\nkey = \"relief.height\"\nvalues = [1, 6.5]\n",
            {"--method", "max-forsyth"});
@@ -135,15 +135,164 @@ TEST_F(Reproduction, TheSummaryNamesEverySettingAndInput) {
   EXPECT_EQ(found, 2U);
 }
 
-TEST_F(Reproduction, AFileOfSomebodyElseStays) {
-  fs::create_directories(file("out/small"));
-  write("out/small/small.toml", study());
-  write("small.toml", study());
-  const Outcome outcome = gnomon({"run", "small.toml"});
-  EXPECT_EQ(outcome.status, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("gnomon: out/small/small.toml: a file found that no run"));
-  EXPECT_EQ(read("out/small/small.toml"), study());
-  EXPECT_EQ(filesBelow("out").size(), 1U);
+class Repetition : public EndToEnd {
+ protected:
+  /// On a sphere, where most axes have several bins and so a plot; two views, so that both kinds
+  /// are compared, and both lights of a sweep.
+  [[nodiscard]] static std::string study() {
+    std::string text = replaced(onSphere(smallStudy()), "elevation = 30", "elevation = [50, 20]");
+    return replaced(text, "name = \"evening\"\n", "") +
+           "\n[[method]]\nname = \"onoue-2004\"\n\n[[view]]\ntype = \"atlas\"\nsamples = 17\n";
+  }
+  /// The files that must not depend on the run: all but those that tell times.
+  [[nodiscard]] std::vector<std::string> lastingFiles(const std::string& out) const {
+    std::vector<std::string> files = filesBelow(out);
+    std::erase_if(files, [](const std::string& name) {
+      return name == "small/summary.json" || name == "small/report.html" ||
+             name == "small/table.csv" || name == "small/table.md";
+    });
+    return files;
+  }
+};
+
+/// The list of docs/summary.md, "What may differ between two runs": all else is the same.
+TEST_F(Repetition, TheWholeFolderIsTheSameButForWhatTheManualLists) {
+  write("small.toml", study() + "\n[[threshold]]\nmax = 0.9\n");
+  const auto run = [&](const std::string& out, std::vector<std::string> options, const char* zone) {
+    options.insert(options.begin(), {"run", "small.toml", "--figures", "page", "--out", out});
+    const Outcome outcome =
+        gnomon(options, {"GNOMON_CACHE=" + file("kept").string(), std::string("TZ=") + zone});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  };
+  run("none", {"--no-cache"}, "UTC");
+  run("empty", {"--threads", "1"}, "Asia/Kolkata");
+  run("filled", {"--threads", "3"}, "America/St_Johns");
+  const std::vector<std::string> files = filesBelow("none");
+  EXPECT_GT(files.size(), 40U);
+  for (const char* other : {"empty", "filled"}) {
+    EXPECT_EQ(files, filesBelow(other));
+    for (const std::string& name : files) {
+      const bool same = lasting(name, read("none/" + name)) ==
+                        lasting(name, read(std::string(other) + "/" + name));
+      EXPECT_TRUE(same) << other << ": " << name;
+    }
+  }
+}
+
+TEST_F(Repetition, BesideOtherStudiesAStudyIsTheSame) {
+  runStudy("small", study(), {"--out", "alone"});
+  write("other.toml",
+        replaced(replaced(study(), "\"small\"", "\"other\""), "radius = 4", "radius = 6"));
+  const Outcome outcome = gnomon({"run", "other.toml", "small.toml", "--out", "both"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const std::string& name : lastingFiles("alone")) {
+    const bool same = read("alone/" + name) == read("both/" + name);
+    EXPECT_TRUE(same) << name;
+  }
+  EXPECT_NE(read("both/other/metrics.csv"), read("both/small/metrics.csv"));
+}
+
+/// Makes the C library choose the mathematical functions of a processor without AVX2 and FMA, whose
+/// results differ in the last bit.
+constexpr const char* plainProcessor = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4";
+
+class Processors : public EndToEnd {
+ protected:
+  /// What another program computes with the C library's functions.
+  [[nodiscard]] std::string sinesWith(const char* variable) const {
+    const std::string sines =
+        "BEGIN { for (i = 1; i < 200000; ++i) s += sin(i / 7) * exp(-i / 1e5); printf \"%.17g\", s "
+        "}";
+    const int process =
+        startCommand(folder(), {"awk", sines}, {variable}, file("sines"), "/dev/null");
+    EXPECT_EQ(endOf(process), 0);
+    return read("sines");
+  }
+};
+
+/// The one kind of result that processors share (cache.md) is the same with either. The vectors of
+/// the search itself are those of tests/horizon/horizon_targets_test.
+TEST_F(Processors, BakeTheSameTables) {
+  if (sinesWith("NOTHING=1") == sinesWith(plainProcessor)) {
+    GTEST_SKIP() << "this machine's C library has one form of its functions";
+  }
+  const std::string scenes = GNOMON_SCENES;
+  for (const char* scene : {"figure8", "dunes", "spot-cells"}) {
+    const std::string study = scenes + "/" + scene + ".toml";
+    ASSERT_EQ(gnomon({"bake", study, "--out", "usual"}).status, 0);
+    ASSERT_EQ(gnomon({"bake", study, "--out", "plain"}, {plainProcessor}).status, 0);
+    const std::string tables = std::string("/") + scene + "/tables.exr";
+    EXPECT_GT(read("usual" + tables).size(), 1000U);
+    EXPECT_TRUE(read("usual" + tables) == read("plain" + tables)) << scene;
+  }
+}
+
+class SavedRun : public EndToEnd {};
+
+TEST_F(SavedRun, HasTheFiguresAndMasksOfTheStateItHolds) {
+  // The quick form has four times the step.
+  write("small.toml", replaced(smallStudy(), "step = 0.25", "step = 0.0625"));
+  app::StudyChanges changes;
+  changes.height = 6.5;
+  changes.bake.azimuths = 12;
+  app::StudyState state;
+  state.file = file("small.toml");
+  state.options.overrides = app::overridesOf(changes, state.file);
+  Camera camera;
+  camera.eye = {20, -60.5, 55};
+  camera.up = {0, 0, 1};
+  camera.verticalFov = radians(35);
+  camera.width = 128;
+  camera.height = 96;
+  state.camera = camera;
+  state.light = app::LightAngles{47.125, 22.5};
+  std::filesystem::create_directories(file("saved"));
+  app::saveStudy(state, file("saved/state.toml"));
+
+  // The state keeps the radius of the tables that it shows, which the rule chose by the file's
+  // light.
+  const std::string radius = fmt::format(
+      "bake.radius={}", study::readStudy(state.file, state.options).bake.settings.radiusTexels);
+  const Outcome saved = gnomon({"run", "saved/state.toml", "--quick"});
+  ASSERT_EQ(saved.status, 0) << saved.err;
+  const Outcome original = gnomon({"run",
+                                   "small.toml",
+                                   "--quick",
+                                   "--set",
+                                   "relief.height=6.5",
+                                   "--set",
+                                   "bake.azimuths=12",
+                                   "--set",
+                                   radius,
+                                   "--set",
+                                   "view.0.eye=[20, -60.5, 55]",
+                                   "--set",
+                                   "view.0.up=[0, 0, 1]",
+                                   "--set",
+                                   "view.0.fov=35",
+                                   "--set",
+                                   "view.0.width=128",
+                                   "--set",
+                                   "view.0.height=96",
+                                   "--set",
+                                   "light.0.azimuth=47.125",
+                                   "--set",
+                                   "light.0.elevation=22.5",
+                                   "--set",
+                                   "light.0.name=elevation 22.5° azimuth 47.125°"});
+  ASSERT_EQ(original.status, 0) << original.err;
+  const nlohmann::json results = summary("state").at("results");
+  EXPECT_GT(results.size(), 2U);
+  EXPECT_EQ(results, summary("small").at("results"));
+  const std::vector<std::string> masks = filesBelow("out/state/masks");
+  EXPECT_EQ(masks.size(), 5U);  // the truth, and two answers of two methods
+  for (const std::string& mask : masks) {
+    EXPECT_EQ(read("out/state/masks/" + mask), read("out/small/masks/" + mask));
+  }
+  // Not those of the study as it was.
+  const Outcome unchanged = gnomon({"run", "small.toml", "--quick", "--out", "plain"});
+  ASSERT_EQ(unchanged.status, 0) << unchanged.err;
+  EXPECT_NE(results, summary("small", "plain").at("results"));
 }
 
 }  // namespace

@@ -63,17 +63,6 @@ study::StudyRecord recordWithBudgets() {
   return made;
 }
 
-TEST(BudgetText, SaysHowMuchTheOrderMoves) {
-  // ½ (0.5 + 0 + 0.5) of 5 %.
-  EXPECT_THAT(orderText(budgetOf("close", "all")), HasSubstr("0.50 % of the samples, 10 % of the"));
-  EXPECT_THAT(orderText(budgetOf("close", "all"), true), HasSubstr("0.50 % of the light, 10 % of"));
-  EXPECT_THAT(budgetNote(budgetOf("close", "all"), true),
-              HasSubstr("Percent of the light of view"));
-  study::BudgetRecord none = budgetOf("close", "all");
-  none.total = {};
-  EXPECT_EQ(orderText(none), "No error to attribute.");
-}
-
 TEST(BudgetFiles, HoldEveryFigure) {
   const nlohmann::json summary = nlohmann::json::parse(summaryJson(recordWithBudgets()));
   ASSERT_EQ(summary.at("budget").size(), 6U);
@@ -169,38 +158,6 @@ TEST(BudgetPlot, IsOneForAllLightsTogetherAndOneForEach) {
     if (sheet.section == "budget") names.push_back(sheet.name);
   }
   EXPECT_THAT(names, ElementsAre("budget", "budget_low", "budget_high"));
-}
-
-TEST(BudgetHtml, IsASectionOfTheReport) {
-  const std::vector<DrawnPlot> plots = {
-      {budgetPlot(budgetsOf(recordWithBudgets(), "all")), "<svg/>"}};
-  const std::string html = reportHtml(recordWithBudgets(), ".", plots).text();
-  EXPECT_THAT(html, HasSubstr("<figure class=\"plot"));
-  EXPECT_THAT(html,
-              AllOf(HasSubstr("<section id=\"budget\">"), HasSubstr("Where the error comes from"),
-                    HasSubstr("map &lt;interpolation&gt;"), HasSubstr("float &amp; all"),
-                    HasSubstr("+0.50 ≈"), HasSubstr("<b>−1.00</b>"),
-                    HasSubstr("<details><summary>low</summary>")));
-  EXPECT_THAT(html, Not(HasSubstr("map <interpolation>")));
-  EXPECT_THAT(reportHtml(test::sampleRecord(), ".").text(), Not(HasSubstr("id=\"budget\"")));
-  // One light only: no second set of bars.
-  study::StudyRecord single = test::sampleRecord();
-  single.budgets = {budgetOf("close", "noon")};
-  EXPECT_THAT(budgetSection(single, {}).text(),
-              AllOf(HasSubstr("view atlas, noon"), Not(HasSubstr("<details>"))));
-}
-
-TEST(BudgetTerminal, FitsTheTerminal) {
-  study::StudyRecord made = recordWithBudgets();
-  made.budgets[0].causes[0].name = std::string(80, 'x');
-  made.budgets[0].causes[0].forward.interval = {-0.123, -0.111};
-  const std::string table = terminalReport(made, false);
-  EXPECT_THAT(table, AllOf(HasSubstr("Where the error comes from"), HasSubstr("+0.50 ≈"),
-                           HasSubstr("left: distant")));
-  EXPECT_THAT(table, Not(HasSubstr("low, ")));
-  std::istringstream lines(table);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
-  EXPECT_THAT(terminalReport(test::sampleRecord(), false), Not(HasSubstr("Where the error")));
 }
 
 }  // namespace

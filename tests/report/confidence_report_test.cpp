@@ -63,66 +63,6 @@ TEST(ConfidenceText, RanksWhatAllLightsTogetherGive) {
   EXPECT_TRUE(rankedIn(recordOfThree(), "atlas").empty());
 }
 
-TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
-  EXPECT_EQ(
-      verdictText(recordOfThree(), "camera"),
-      "“best” is better than “rough, \"old\"” by 9.00 % of the samples (95 % interval 7.20 to "
-      "11.50). “best” could not be compared with “close”: the difference has no 95 % interval.");
-  EXPECT_EQ(intervalText(compare::Interval{-0.001, 0.02}), "−0.10 to 2.00");
-  EXPECT_EQ(intervalText(compare::Interval{-0.012, 0.5}), "−1.20 to 50.00");
-  EXPECT_EQ(intervalText(compare::Interval{-1e-7, 0}), "0.00 to 0.00");
-  EXPECT_EQ(intervalText(std::nullopt), "–");
-  EXPECT_EQ(verdictText(test::sampleRecord(), "camera"), "");
-  study::StudyRecord many = recordOfThree();
-  for (const char* name : {"a", "b", "c"}) {
-    many.confidence.push_back(
-        {name, "camera", "all", 0.011, compare::Interval{0, 0.1}, "", 25, 40});
-    many.differences.push_back(difference("best", name, -0.001, compare::Interval{-0.002, 0.001},
-                                          study::DifferenceVerdict::notDistinguishable));
-  }
-  EXPECT_THAT(verdictText(many, "camera"),
-              HasSubstr("“best” is not distinguishable from “a”, “b” and “c”. “best” could not"));
-  for (const char* name : {"d, e", "f"}) {
-    many.confidence.push_back({name, "camera", "all", 0.011, {}, "", 25, 40});
-    many.differences.push_back(difference("best", name, -0.001, compare::Interval{-0.002, 0.001},
-                                          study::DifferenceVerdict::notDistinguishable));
-  }
-  EXPECT_THAT(verdictText(many, "camera"),
-              HasSubstr("“best” is not distinguishable from “a”, “b”, “c” and 2 more."));
-  EXPECT_THAT(
-      confidenceNote(recordOfThree(), "camera"),
-      HasSubstr(
-          "over all random draws of the bumps, on the same surface, in the same view, under the "
-          "same lights. It comes from 25 blocks of 40 × 40 samples. Compared with the best: ≈ not "
-          "distinguishable from it: the 95 % interval of the difference contains 0, or the "
-          "difference is within the truth’s uncertainty; = the same answers, to the sample; ? the "
-          "difference has no interval; without a sign they differ. The truth’s uncertainty is 0.30 "
-          "%."));
-}
-
-/// Three methods that answer alike are equal, not unknown.
-TEST(ConfidenceText, TellsEqualAnswersAsSuch) {
-  study::StudyRecord record = recordOfThree();
-  record.differences[2].verdict = study::DifferenceVerdict::equal;
-  EXPECT_THAT(verdictText(record, "camera"),
-              HasSubstr(" “best” gives the same answers as “close”."));
-  EXPECT_THAT(verdictText(record, "camera"), Not(HasSubstr("could not be compared")));
-  const std::string text = terminalReport(record, false);
-  EXPECT_THAT(text, HasSubstr("– =\n"));
-  EXPECT_THAT(text, Not(HasSubstr("No interval of the difference")));
-}
-
-TEST(ConfidenceText, StatesTheUncertaintyThatItsMarksWereJudgedBy) {
-  study::StudyRecord record = recordOfThree();
-  // A pair in which the best is not says nothing of the marks.
-  record.differences[0].uncertainty = 0.5;
-  EXPECT_THAT(confidenceNote(record, "camera"), HasSubstr("truth’s uncertainty is 0.30 %."));
-  // Two pairs with the best, of two uncertainties.
-  record.differences[2].uncertainty = 0.0055;
-  EXPECT_THAT(confidenceNote(record, "camera"),
-              HasSubstr("truth’s uncertainty is 0.30 to 0.55 %."));
-}
-
 TEST(ConfidenceJson, HoldsEveryFigure) {
   const auto json = nlohmann::ordered_json::parse(summaryJson(recordOfThree()));
   EXPECT_EQ(json["confidence"][0].dump(),
@@ -200,37 +140,6 @@ TEST(BinsCsv, HasARowABin) {
             "false_light\n"
             "sample,best,camera,all,elevation,,10,10,1,2,3,4,0.5,0.2,0.3\n"
             "sample,best,camera,all,elevation,10,,10,5,0,0,5,0,0,0\n");
-}
-
-TEST(TerminalConfidence, RanksMethodsWithTheirIntervals) {
-  const std::string text = terminalReport(recordOfThree(), false);
-  EXPECT_THAT(text, HasSubstr("Verdict · camera\n"));
-  EXPECT_LT(text.find("Verdict"), text.find("camera · elevation 15°")) << "the verdict first";
-  std::istringstream lines(text);
-  std::vector<std::string> rows;
-  for (std::string line; std::getline(lines, line);) {
-    EXPECT_LE(displayWidth(line), 100U) << line;
-    if (line.find(" to ") != std::string::npos && line.rfind("  ", 0) == 0) rows.push_back(line);
-  }
-  EXPECT_THAT(text, HasSubstr("1.20     0.90 to 1.60      +2.00                – ?\n"));
-  EXPECT_THAT(text, HasSubstr("10.00    8.00 to 13.00      +9.00    7.20 to 11.50\n"));
-  EXPECT_THAT(terminalReport(test::sampleRecord(), false), Not(HasSubstr("Verdict")));
-  EXPECT_THAT(text, HasSubstr("  ? No interval of the difference of “close”: too few differ.\n"));
-  study::StudyRecord wide = recordOfThree();
-  wide.confidence[3].method = std::string(300, 'x');
-  std::istringstream wideLines(terminalReport(wide, false));
-  for (std::string line; std::getline(wideLines, line);) EXPECT_LE(displayWidth(line), 100U);
-}
-
-TEST(ConfidenceHtml, HasATableAView) {
-  const std::string html = confidenceSection(recordOfThree()).text();
-  EXPECT_THAT(html, HasSubstr("rough, &quot;old&quot;"));
-  EXPECT_THAT(html, HasSubstr("0.90 to 1.60"));
-  EXPECT_THAT(html, HasSubstr("too few blocks"));
-  EXPECT_THAT(html, HasSubstr("close ?"));
-  EXPECT_THAT(html, HasSubstr("? No interval of the difference of “close”: too few differ."));
-  EXPECT_THAT(reportHtml(recordOfThree(), "/none").text(), HasSubstr(html));
-  EXPECT_TRUE(confidenceSection(test::sampleRecord()).empty());
 }
 
 }  // namespace

@@ -125,13 +125,6 @@ TEST(StudyRanking, AMethodThatLacksACaseOfAStudyHasNoRankHoweverSmallItsError) {
   EXPECT_DOUBLE_EQ(*ranked[1].leaderError, (0.03 + 0.01) / 2);
 }
 
-TEST(StudyRanking, ACellOverFewerCasesIsMarked) {
-  const std::string html = rankingHtml(studiesWithAnEasyCase(), "").text();
-  EXPECT_THAT(html, HasSubstr("false light 0.00 %, 1 of 2 cases\">0.10*<"));
-  EXPECT_THAT(html, HasSubstr(study::fewerCasesMeaning));
-  EXPECT_THAT(rankingHtml(threeStudies(), "").text(), Not(HasSubstr(study::fewerCasesMeaning)));
-}
-
 TEST(StudyRanking, MoreStudiesComeFirstAmongThoseWithoutARank) {
   const auto ranked = study::rankOverStudies(
       meansOf({study("a", {{"once", {1, 1}}}), study("b", {{"twice", {90, 90}}}),
@@ -235,29 +228,6 @@ TEST(StudyRanking, NothingIsNotRanked) {
 
 // ---- as text
 
-TEST(RankingTerminal, SaysWhatTheRankingHolds) {
-  const std::string text = terminalReport(threeStudies(), false);
-  EXPECT_THAT(text, HasSubstr("Methods over 3 studies\n"));
-  EXPECT_THAT(text, HasSubstr("  1   curved    2.00    3.00  a           6 of 6      0.30\n"));
-  EXPECT_THAT(text, HasSubstr("  –   new       1.50    1.50  b           2 of 6      0.20\n"));
-  EXPECT_THAT(text, HasSubstr("      in 2 of 6 cases: no rank; curved has 2.00 % on the same\n"));
-  EXPECT_LT(text.find("2   flat"), text.find("Not in every case"));
-  EXPECT_LT(text.find("Not in every case"), text.find("–   new"));
-}
-
-TEST(RankingTerminal, FitsWhateverTheNames) {
-  const std::string label(90, 'm');
-  const std::string name(90, 's');
-  for (const auto& [l, n] : {std::pair(label, std::string("s")), std::pair(std::string("m"), name),
-                             std::pair(label, name)}) {
-    const std::string text = terminalReport(
-        meansOf({study(n, {{l, {10, 10}}, {"close", {10, 11}}}), study("b", {{l, {1, 1}}})}),
-        false);
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
-  }
-}
-
 // ---- as files
 
 TEST(RankingJson, HoldsRanksResultsAndClaims) {
@@ -321,16 +291,6 @@ TEST(RankingHtml, LinksEveryStudyAndListsAllClaims) {
   for (const char* fetch : {"http://", "https://", "<link", "<script", "@import", "url("}) {
     EXPECT_THAT(html, Not(HasSubstr(fetch)));
   }
-}
-
-TEST(RankingHtml, ShadesTheWorstCellMost) {
-  const std::string html = rankingHtml(threeStudies(), "").text();
-  // Of 10.00, the worst, and 2.00: √(0.02 / 0.1).
-  EXPECT_THAT(html,
-              HasSubstr("--heat:1.000\" title=\"false shadow 5.00 %, false light 5.00 %\">10.00<"));
-  EXPECT_THAT(html,
-              HasSubstr("--heat:0.447\" title=\"false shadow 0.50 %, false light 1.50 %\">2.00<"));
-  EXPECT_THAT(html, HasSubstr("not evaluated"));
 }
 
 }  // namespace

@@ -57,12 +57,6 @@ TEST_F(JobSummary, MosaicRefusesAnotherPicture) {
   EXPECT_THROW(mosaicOf(folder() / "grey.png", 1), InputError);
 }
 
-TEST_F(JobSummary, OfAPassIsShort) {
-  const std::vector<study::CheckRecord> checks = {passedCheck()};
-  EXPECT_EQ(jobSummary(checks, {}, "gnomon check"),
-            "## Shadows: pass\n\n1 limits hold, 0 do not.\n\n");
-}
-
 TEST_F(JobSummary, NamesEveryFaultAndTheCommandThatAccepts) {
   study::CheckRecord check = sampleCheck();
   check.shaders["a"] = "my|shader.glsl";

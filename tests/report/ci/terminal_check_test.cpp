@@ -16,30 +16,6 @@ using test::sampleCheck;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST(CheckTable, TellsFaultsFirstWholeAndOnce) {
-  const std::string text = checkTable(sampleCheck(), false);
-  const std::vector<std::string> expected = {
-      "sample (scenes/sample.toml)",
-      "  1 error, told on standard error",
-      "  failed",
-      "    a, \"b\" & <c>, error_rate ≤ 0.0300, camera, elevation 30° azimuth 20°: 0.0512, too "
-      "large by",
-      "    0.0212",
-      "  undefined",
-      "    a, error_rate ≤ 0.04, camera, elevation 30° azimuth 20°: undefined: no samples",
-      "  failed",
-      "    a, error_rate ≤ 0.0800, camera, elevation 30° azimuth 20°: 0.0900, too large by 0.0100, "
-      "0.0700",
-      "    committed",
-      "  Reproduce:",
-      "    gnomon check scenes/sample.toml --method 'a, \"b\" & <c>'",
-      "  method  metric      view, light                         value   limit   margin  verdict",
-      "  a       error_rate  camera, elevation 30° azimuth 20°  0.0200  ≤ 0.03  +0.0100  pass",
-      "  a       error_rate  camera, elevation 30° azimuth 20°       –  ≤ 0.05        –  skipped",
-      "  reference/sample.json: 0 of 1 references hold"};
-  EXPECT_EQ(test::linesOf(text), expected);
-}
-
 // Six digits of one figure beside two of the other tell nobody by how much a limit is missed.
 TEST(CheckTable, TellsAFaultInEvenFigures) {
   study::CheckRecord check = sampleCheck();
@@ -47,13 +23,6 @@ TEST(CheckTable, TellsAFaultInEvenFigures) {
   const std::string text = checkTable(check, false);
   EXPECT_THAT(text, HasSubstr("≤ 0.12345000, camera"));
   EXPECT_THAT(text, HasSubstr("0.12345679, too large by\n    0.00000679"));
-}
-
-TEST(CheckNotices, StandByThemselves) {
-  const std::vector<study::CheckRecord> checks = {passedCheck(), sampleCheck()};
-  EXPECT_EQ(checkNotices(checks),
-            "Notice: scenes/sample.toml:30: the limit on x could be tightened\n");
-  EXPECT_THAT(checkTable(sampleCheck(), false), Not(HasSubstr("Notice")));
 }
 
 TEST(CheckTable, HasNoCommandForWhatPassed) {

@@ -41,57 +41,6 @@ std::vector<std::string> keysOf(const ordered_json& object) {
 
 using Keys = std::vector<std::string>;
 
-TEST(SummaryJson, HasEveryKeyInOrder) {
-  const ordered_json json = written(recordWithPanel());
-  EXPECT_EQ(
-      keysOf(json),
-      (Keys{
-          "schema", "status",  "study",      "environment",    "search_radius", "texture",
-          "truth",  "methods", "results",    "confidence",     "differences",   "bins",
-          "cost",   "timings", "thresholds", "baseline",       "references",    "problems",
-          "claims", "budget",  "panels",     "region_colours", "notices",       "undefined_samples",
-          "cache"}));
-  EXPECT_EQ(json["schema"], "gnomon-summary/2");
-  EXPECT_EQ(keysOf(json["study"]),
-            (Keys{"name", "title", "source", "file", "command", "copy", "settings", "inputs"}));
-  EXPECT_EQ(keysOf(json["environment"]),
-            (Keys{"gnomon_version", "commit", "cpu", "threads", "gl_renderer", "frame_clock",
-                  "gl_version", "embree_version", "opensubdiv_version"}));
-  EXPECT_EQ(keysOf(json["truth"]), (Keys{"micro_triangles", "step_texels", "uncertainty",
-                                         "bvh_bytes", "mesh_bytes", "flips"}));
-  EXPECT_EQ(keysOf(json["truth"]["flips"][0]),
-            (Keys{"view", "light", "flip_rate", "length_error", "boundaries"}));
-  EXPECT_EQ(keysOf(json["methods"][0]),
-            (Keys{"label", "name", "title", "citation", "family", "symbol", "other_chart_share"}));
-  EXPECT_EQ(keysOf(json["cost"][0]),
-            (Keys{"method", "polygons", "table_bytes", "height_bytes", "frame_ms", "still_ms",
-                  "texels", "passes", "frame_ratio", "frame_kept_since"}));
-  EXPECT_EQ(keysOf(json["timings"][0]), (Keys{"stage", "seconds"}));
-  EXPECT_EQ(keysOf(json["thresholds"][0]),
-            (Keys{"method", "light", "view", "answer", "region", "metric", "value", "minimum",
-                  "maximum", "passed", "reason"}));
-  EXPECT_EQ(keysOf(json["claims"][0]),
-            (Keys{"text", "source", "verdict", "detail", "methods", "spread", "radius"}));
-  EXPECT_EQ(keysOf(json["panels"][0]), (Keys{"view", "light", "width", "height", "pictures"}));
-  EXPECT_EQ(keysOf(json["panels"][0]["pictures"][0]),
-            (Keys{"kind", "method", "caption", "path", "mask", "test_mask", "truth"}));
-  EXPECT_TRUE(json["panels"][0]["pictures"][0]["truth"].is_null());
-  study::StudyRecord withTruth = recordWithPanel();
-  withTruth.panels[0].pictures[0].truth = {"masks/t.png", "regions/t.png", "", ""};
-  const ordered_json truth = written(withTruth)["panels"][0]["pictures"][0]["truth"];
-  EXPECT_EQ(truth, ordered_json({{"mask", "masks/t.png"},
-                                 {"regions", "regions/t.png"},
-                                 {"seam", nullptr},
-                                 {"weights", nullptr}}));
-  withTruth.panels[0].pictures[0].truth->weights = "regions/w.exr";
-  EXPECT_EQ(written(withTruth)["panels"][0]["pictures"][0]["truth"]["weights"], "regions/w.exr");
-
-  Keys resultKeys{"method", "light", "view", "answer", "region", "samples", "tp", "fp", "fn", "tn"};
-  for (const std::string_view name : study::pointLightMetricNames()) resultKeys.emplace_back(name);
-  resultKeys.emplace_back("undefined");
-  EXPECT_EQ(keysOf(json["results"][0]), resultKeys);
-}
-
 TEST(SummaryJson, ValuesSurviveTheTrip) {
   const study::StudyRecord record = recordWithPanel();
   const ordered_json json = written(record);
@@ -230,15 +179,6 @@ TEST(SummaryJson, UndefinedIsNullWithAReason) {
   EXPECT_TRUE(json["thresholds"][1]["maximum"].is_null());
 }
 
-TEST(SummaryJson, StatusFollowsTheThresholds) {
-  study::StudyRecord record = sampleRecord();
-  EXPECT_EQ(written(record)["status"], "fail");
-  record.judgements.pop_back();
-  EXPECT_EQ(written(record)["status"], "pass");
-  record.judgements.clear();
-  EXPECT_EQ(written(record)["status"], "not judged");
-}
-
 TEST(SummaryJson, EmptyListsAreListsAndNotNull) {
   const ordered_json json = written(study::StudyRecord{});
   for (const char* key :
@@ -293,10 +233,6 @@ TEST(SummaryJson, BytesThatAreNoUtf8DoNotStopIt) {
   study::StudyRecord record = sampleRecord();
   record.file = "scenes/\xff.toml";
   EXPECT_EQ(written(record)["study"]["file"], "scenes/\uFFFD.toml");
-}
-
-TEST(SummaryJson, SameRecordSameBytes) {
-  EXPECT_EQ(summaryJson(recordWithPanel()), summaryJson(recordWithPanel()));
 }
 
 }  // namespace

@@ -55,41 +55,5 @@ TEST(Opening, ShowsFewerWhereAStudyHasNoSuch) {
   EXPECT_THAT(figuresOf(test::sampleRecord()), IsEmpty());
 }
 
-TEST(Opening, EachPictureHasItsErrorThere) {
-  const study::StudyRecord record = recordWith({"best", "close", "rough, \"old\"", "truth"});
-  const std::string html = openingHtml(record, study::rankMethods(record)).text();
-  EXPECT_THAT(html, HasSubstr("<b>flat</b> rough, &quot;old&quot;<span class=\"rate\" title=\"\">"
-                              "error 10.00\u202f%</span>"));
-  EXPECT_THAT(html, HasSubstr("<b>claimed</b> close<span class=\"rate\" title=\"\">error 1.20"));
-  EXPECT_THAT(html, HasSubstr("uncertain by 0.20\u202f%"));
-  EXPECT_THAT(html, HasSubstr("in the view “camera” under the light “elevation 15°”"));
-  EXPECT_THAT(openingHtml(test::sampleRecord(), {}).text(), Not(HasSubstr("<figure")));
-}
-
-TEST(Opening, ExplainsOnlyTheRolesThatAPictureHas) {
-  const auto opening = [](const study::StudyRecord& record) {
-    return openingHtml(record, study::rankMethods(record)).text();
-  };
-  study::StudyRecord record = recordWith({"best", "close", "rough, \"old\"", "truth"});
-  for (const char* role : {" Flat: ", " Claimed: ", " Best: "}) {
-    EXPECT_THAT(opening(record), HasSubstr(role));
-  }
-  record.claims.clear();
-  EXPECT_THAT(opening(record), Not(HasSubstr(" Claimed: ")));
-  EXPECT_THAT(opening(record), HasSubstr(" Best: "));
-  const std::string claimed = opening(recordWith({"close", "truth"}));
-  EXPECT_THAT(claimed, HasSubstr(" Claimed: "));
-  for (const char* role : {" Flat: ", " Best: "}) EXPECT_THAT(claimed, Not(HasSubstr(role)));
-}
-
-TEST(Opening, OfSoftLightAnErrorIsAShareOfTheLight) {
-  study::StudyRecord record = recordWith({"best", "close", "rough, \"old\"", "truth"});
-  const auto opening = [&] { return openingHtml(record, study::rankMethods(record)).text(); };
-  EXPECT_THAT(opening(), HasSubstr("</button> at <b>0.10&#8239;%</b> of the <button"));
-  for (study::ResultRecord& result : record.results) result.shares.push_back({"mae", 0.01, {}});
-  EXPECT_THAT(opening(), HasSubstr("share of the light</button> is off by <b>0.10&#8239;%</b>, "));
-  EXPECT_THAT(opening(), Not(HasSubstr("of the <button")));
-}
-
 }  // namespace
 }  // namespace gnomon::report

@@ -181,40 +181,6 @@ TEST_F(ReportHtml, ShowsThePlacesWhereAMethodErrsMost) {
   EXPECT_EQ(pictures[1], "what is right");
 }
 
-TEST_F(ReportHtml, ShowsShadowLengthsWithTheirSpread) {
-  const std::string html = reportText(sampleRecord(1), folder_);
-  EXPECT_TRUE(holds(html, ">Length</button></th>"));
-  EXPECT_TRUE(holds(html, "title=\"quartiles 0.50 and 2.00 over 400 runs\">1.80</td>"));
-  EXPECT_TRUE(holds(html, "title=\"fewer than 30 cast shadows with both ends in view\">–</td>"));
-}
-
-TEST_F(ReportHtml, OneLetteredFigureAMethod) {
-  const std::string html = reportText(recordWithPanel(), folder_);
-  EXPECT_EQ(count(html, "<figure data-method"), 3U);
-  EXPECT_TRUE(holds(html, "<b>(a)</b> Caption &lt;rough, &quot;old&quot;&gt;"));
-  EXPECT_TRUE(holds(html, "<b>(c)</b> Caption &lt;truth&gt;"));
-  EXPECT_FALSE(holds(html, "<b>(d)</b>"));
-  EXPECT_TRUE(holds(html, ">error 10.00\u202f%<"));
-  EXPECT_TRUE(holds(html, ">uncertain by 0.20\u202f%<"));
-  EXPECT_EQ(count(html, "Lower pictures"), 1U);
-  // The shading stands above whatever goes with it, in whichever order they were recorded.
-  const std::string truth = html.substr(html.find("<figure data-method=\"truth\""));
-  EXPECT_LT(truth.find("class=\"shaded whole\""), truth.find("class=\"displaced whole\""));
-}
-
-TEST_F(ReportHtml, LetteringGoesOnAfterZ) {
-  study::StudyRecord record = sampleRecord(1);
-  record.panels = {{"camera", "elevation 15°", 1, 1, {}}};
-  for (int i = 0; i < 28; ++i) {
-    record.panels[0].pictures.push_back(
-        picture(study::PictureRecord::Kind::shaded, "method " + std::to_string(i)));
-  }
-  const std::string html = reportText(record, folder_);
-  EXPECT_TRUE(holds(html, "<b>(z)</b>"));
-  EXPECT_TRUE(holds(html, "<b>(aa)</b>"));
-  EXPECT_TRUE(holds(html, "<b>(ab)</b>"));
-}
-
 TEST_F(ReportHtml, EscapesAllText) {
   study::StudyRecord record = recordWithPanel();
   const std::string evil = "<script>'\"&";
@@ -250,30 +216,6 @@ TEST_F(ReportHtml, EscapesAllText) {
   EXPECT_GT(count(html, "&lt;script&gt;&#39;&quot;&amp;"), 40U);
 }
 
-TEST_F(ReportHtml, TheTitleOfTheSampleIsEscaped) {
-  const std::string html = reportText(sampleRecord(), folder_);
-  EXPECT_TRUE(holds(html, "<h1>Columns on a sphere &lt;script&gt;alert(&quot;1&quot;)"));
-}
-
-TEST_F(ReportHtml, HeadlineNamesTheBestAndTheDoubt) {
-  study::StudyRecord record = sampleRecord();
-  test::addDifferences(record, 1e-6);
-  const std::string html = reportText(record, folder_);
-  EXPECT_TRUE(holds(html, "Of 3 methods, <b>best</b> is closest to the "));
-  EXPECT_TRUE(holds(html, " at <b>1.00&#8239;%</b> of the "));
-  EXPECT_TRUE(holds(html, "on average over 1 view and 2 lights"));
-  EXPECT_TRUE(holds(html, "1 of 2 thresholds met"));
-  EXPECT_TRUE(holds(html, "not distinguishable from “close”"));
-  EXPECT_TRUE(holds(html, "<b>1.00 <small>±&#8239;0.30</small></b>"));
-  EXPECT_LT(html.find("is closest to the"), html.find("What was claimed"));
-  EXPECT_LT(html.find("What was claimed"), html.find("Methods, best first"));
-}
-
-TEST_F(ReportHtml, UndefinedCellsCarryTheirReason) {
-  const std::string html = reportText(sampleRecord(), folder_);
-  EXPECT_TRUE(holds(html, "<td class=\"n\" title=\"no samples\">–</td>"));
-}
-
 TEST_F(ReportHtml, TagsAreBalanced) {
   const std::string html = reportText(recordWithPanel(), folder_);
   for (const std::string tag :
@@ -294,13 +236,6 @@ TEST_F(ReportHtml, LegendAndPicturesShareTheirColours) {
   EXPECT_EQ(image::DifferenceColours::falseShadow, (image::Rgb{230, 97, 0}));
   EXPECT_TRUE(holds(html, "--false-light:rgb(26 133 255)"));
   EXPECT_EQ(image::DifferenceColours::falseLight, (image::Rgb{26, 133, 255}));
-}
-
-TEST_F(ReportHtml, HasBothSchemesAndPrint) {
-  const std::string html = reportText(sampleRecord(), folder_);
-  EXPECT_TRUE(holds(html, "prefers-color-scheme: dark"));
-  EXPECT_TRUE(holds(html, "@media print"));
-  EXPECT_TRUE(holds(html, "name=\"viewport\""));
 }
 
 /// What stands between the ends of each such element.
@@ -411,11 +346,6 @@ TEST_F(ReportHtml, RefusesWhatItCannotShow) {
   record = sampleRecord();
   record.cost[0].frameMs = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(reportText(record, folder_), InternalError);
-}
-
-TEST_F(ReportHtml, SameRecordSameBytes) {
-  const study::StudyRecord record = recordWithPanel();
-  EXPECT_EQ(reportText(record, folder_), reportText(record, folder_));
 }
 
 }  // namespace

@@ -73,27 +73,6 @@ TEST(NumbersTex, HoldWhatTheTableShows) {
   EXPECT_FALSE(macros.contains("gnomonSampleLight")) << "there are two";
 }
 
-TEST(NumbersTex, HoldBothEndsOfAnInterval) {
-  study::StudyRecord record = test::sampleRecord(1);
-  record.confidence = {
-      {"best", "camera", "all", 0.01, compare::Interval{-0.0012, 0.0125}, "", 25, 40}};
-  const auto macros = macrosOf(record);
-  EXPECT_EQ(macros.at("gnomonSampleBestInterval"), "$-$0.12 to 1.25");
-  EXPECT_EQ(macros.at("gnomonSampleBestIntervalLow"), "$-$0.12");
-  EXPECT_EQ(macros.at("gnomonSampleBestIntervalHigh"), "1.25");
-  EXPECT_EQ(macros.at("gnomonSampleLight"), "elevation 15$^\\circ$");
-}
-
-/// No two runs share a time.
-TEST(NumbersTex, SayWhatTheyAreSharesOf) {
-  study::StudyRecord record = test::sampleRecord(1);
-  const auto numbers = [&] { return numbersTex(record, study::rankMethods(record)); };
-  EXPECT_THAT(numbers(), HasSubstr("uncertainty of the truth, percent of the samples"));
-  for (study::ResultRecord& result : record.results) result.shares.push_back({"mae", 0.01, {}});
-  EXPECT_THAT(numbers(), Not(HasSubstr("percent of the samples")));
-  EXPECT_THAT(numbers(), HasSubstr("uncertainty of the truth, percent of the light"));
-}
-
 TEST(NumbersTex, HoldNoTimes) {
   study::StudyRecord record = test::sampleRecord();
   const std::string before = numbersTex(record, study::rankMethods(record));

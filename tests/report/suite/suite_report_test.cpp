@@ -66,28 +66,6 @@ TEST(SuiteHtml, SaysWhatWasFound) {
   }
 }
 
-// Under lights with discs the errors are `mae`, and every text says so.
-TEST(SuiteHtml, OfSoftLightsSpeaksOfShares) {
-  std::vector<study::StudyMeans> soft = studies();
-  for (study::StudyMeans& study : soft) study.isSoft = true;
-  const study::SuiteStatistics found = study::suiteStatistics("drawn", soft);
-  const std::string html = suiteHtml(found, drawn(found), "").text();
-  EXPECT_THAT(html, HasSubstr("a figure is the mean of |ΔV| (mae)"));
-  EXPECT_THAT(html, HasSubstr("<b>m1</b> has the smallest error: <b>2.60&#8239;%"));
-  EXPECT_THAT(html, HasSubstr("Percent of the light. <b>Worst"));
-  EXPECT_THAT(html, Not(HasSubstr("wrong samples")));
-  EXPECT_THAT(html, Not(HasSubstr("ercent of the samples")));
-  EXPECT_THAT(html, HasSubstr("percent of the bin’s light"));
-  EXPECT_THAT(markdownTable(suiteRankedTable(found)),
-              HasSubstr("Mean \\|ΔV\\| in percent of the light of a scene"));
-  EXPECT_EQ(nlohmann::json::parse(suiteJson(found, ""))["statistic"], "mae");
-  EXPECT_EQ(nlohmann::json::parse(suiteJson(statistics(), ""))["statistic"], "error_rate");
-  // Else it is the page of hard lights.
-  study::SuiteStatistics hard = found;
-  hard.isSoft = false;
-  EXPECT_EQ(suiteHtml(hard, {}, "").text(), suiteHtml(statistics(), {}, "").text());
-}
-
 TEST(SuiteHtml, WithoutAMethodOnEveryScene) {
   std::vector<study::StudyMeans> some = studies();
   some[0].methods.clear();
@@ -129,13 +107,6 @@ TEST(SuiteCsv, HasARowASceneAndMethod) {
   EXPECT_THAT(csv, HasSubstr("\nscene-000,m1,0.002,0.0005,0.0015,0.0005,1\n"));
   EXPECT_THAT(csv, HasSubstr("\nscene-001,m0,,,,0.0005,\n"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 51);
-}
-
-TEST(SuiteMarkdown, IsTheRankedTable) {
-  const std::string markdown = markdownTable(suiteRankedTable(statistics()));
-  EXPECT_THAT(markdown, HasSubstr("**drawn: 25 scenes**"));
-  EXPECT_THAT(markdown, HasSubstr("| 1 | m1 | 2.60 |"));
-  EXPECT_THAT(markdown, HasSubstr("scene-024"));
 }
 
 TEST(SuiteText, IsRounded) {

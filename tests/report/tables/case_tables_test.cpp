@@ -95,19 +95,6 @@ TEST(MetricsCsv, ValuesReadBackExactly) {
   }
 }
 
-TEST(MetricsCsv, QuotesWhatNeedsIt) {
-  study::StudyRecord record = sampleRecord();
-  record.results.resize(1);
-  record.results[0].light = "two\nlines";
-  const std::string csv = metricsCsv(record);
-  EXPECT_NE(
-      csv.find("\nsample,\"rough, \"\"old\"\"\",\"two\nlines\",camera,drawn,all,1000,230,80,20,670,"
-               "0.1,0.08,0.02,"),
-      std::string::npos)
-      << csv;
-  EXPECT_EQ(parse(csv)[1][2], "two\nlines");
-}
-
 TEST(MetricsCsv, NumbersAreTheShortestThatReadBack) {
   study::StudyRecord record = sampleRecord();
   record.results = {{"m", "l", "v", "all", compare::Counts{0.1, 1e-7, 0, 0.30000000000000004, 3}}};

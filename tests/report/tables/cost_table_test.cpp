@@ -63,13 +63,6 @@ TEST(Cost, RefusesATimeThatIsNotFinite) {
   EXPECT_THROW((void)frameRatio(record, record.cost[1]), InternalError);
 }
 
-TEST(Cost, SaysWhatThePaperSaysAndWhatTheRunGave) {
-  const std::string text = publishedRates(threeMethods());
-  EXPECT_THAT(text, HasSubstr("a fifth of it (0.20)"));
-  EXPECT_THAT(text, HasSubstr("drawn by A <rasteriser>, the curvature-aware method has 0.80 of"));
-  EXPECT_THAT(text, HasSubstr("shadow volumes 0.25 of it"));
-}
-
 TEST(Cost, SaysNothingOfThePaperUnlessAllThreeWereTimed) {
   for (std::size_t i = 0; i < 3; ++i) {
     study::StudyRecord record = threeMethods();
@@ -79,43 +72,6 @@ TEST(Cost, SaysNothingOfThePaperUnlessAllThreeWereTimed) {
     record.methods[i].name = "another";
     EXPECT_EQ(publishedRates(record), "");
   }
-}
-
-TEST(Cost, StandsInEveryReport) {
-  const study::StudyRecord record = threeMethods();
-  const auto json = nlohmann::json::parse(summaryJson(record));
-  EXPECT_EQ(json["cost"][2]["passes"], 3);
-  EXPECT_EQ(json["cost"][2]["frame_ratio"], 4.0);
-  EXPECT_EQ(json["cost"][2]["texels"], 24.5);
-  EXPECT_TRUE(json["cost"][0]["texels"].is_null());
-  EXPECT_EQ(json["cost"][0]["passes"], 1);
-  const std::string table = terminalReport(record, false);
-  EXPECT_THAT(table, HasSubstr("  shadow-volume    1\u202f234\u202f567         0 B       3      "
-                               "16.00            12.00           4.00×\n"));
-  EXPECT_THAT(table, HasSubstr("  flat                   960      524 kB       1       4.00"
-                               "             4.00           1.00×\n"));
-  const std::string html = reportHtml(record, ".").text();
-  EXPECT_THAT(html, HasSubstr(">4.00×<"));
-  EXPECT_THAT(html, HasSubstr(">24.50<"));
-  EXPECT_THAT(html, HasSubstr("drawn by A &lt;rasteriser&gt;"));
-}
-
-TEST(Cost, WithoutTheReferenceIsADash) {
-  study::StudyRecord record = threeMethods();
-  record.methods[0].name = "another";
-  const auto json = nlohmann::json::parse(summaryJson(record));
-  EXPECT_TRUE(json["cost"][2]["frame_ratio"].is_null());
-  EXPECT_THAT(terminalReport(record, false), HasSubstr("16.00            12.00               –\n"));
-  const std::string html = reportHtml(record, ".").text();
-  EXPECT_THAT(html, HasSubstr("max-forsyth was not timed"));
-  EXPECT_THAT(html, Not(HasSubstr("section 4")));
-}
-
-TEST(Cost, FitsATerminal) {
-  study::StudyRecord record = threeMethods();
-  record.cost[2] = {std::string(200, 'm'), 4'000'000'000, 40'000'000'000, 0, 12'345.6, 100};
-  std::istringstream lines(terminalReport(record, false));
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
 }
 
 }  // namespace

@@ -52,20 +52,6 @@ std::vector<std::string> latexCells(const std::string& row) {
   return cells;
 }
 
-TEST(TableCsv, HoldsTheRankedTable) {
-  EXPECT_THAT(
-      test::linesOf(tableCsv(recordWithIntervals())),
-      ElementsAre(
-          "rank,method,error_rate,low,high,uncertainty,to_best,"
-          "test_error_rate,false_shadow,false_light,iou,cases,all_cases,"
-          "leader_error_rate,bytes,frame_ms",
-          "1,best,0.01,0.0075,0.0125,0.003,,0.03,0.005,0.005,0.9607843137254902,2,2,,540672,"
-          "1.25",
-          "2,close,0.012,,,0.003,not "
-          "distinguishable,0.032,0.004,0.008,0.952755905511811,2,2,,1048576,",
-          "3,\"rough, \"\"old\"\"\",0.1,,,0.003,worse,0.12,0.08,0.02,0.696969696969697,2,2,,,"));
-}
-
 TEST(TableTex, HoldsTheSameInPercent) {
   std::vector<std::vector<std::string>> rows;
   for (const std::string& line : test::linesOf(tableTex(recordWithIntervals()))) {
@@ -168,33 +154,11 @@ TEST(RankedTable, DrawsItsBarsInOneScale) {
   EXPECT_EQ(table.rows[0].cells[1].bar->interval->high, 0.0125);
 }
 
-TEST(TableMd, HoldsTheSameForAPullRequest) {
-  study::StudyRecord record = recordWithIntervals();
-  std::erase_if(record.results, [](const study::ResultRecord& row) {
-    return row.method == "best" && row.light != "elevation 15°";
-  });
-  const std::string text = markdownTable(rankedTable(record, study::rankMethods(record)));
-  EXPECT_THAT(text, HasSubstr("**Columns on a sphere \\<script\\>alert\\(\"1\"\\)\\</script\\>**"));
-  EXPECT_THAT(text, HasSubstr("| Method | Error | 95 % | Test | False shadow | False light | IoU | "
-                              "Memory, MB | Frame, ms |\n| --- | --: |"));
-  EXPECT_THAT(text, HasSubstr("| close | 1.20 | – | 3.20 | 0.40 | 0.80 | 95.28 | 1.05 | – |\n"));
-  EXPECT_THAT(text, HasSubstr("- best: in 1 of 2 cases: no rank; close has 1.20 % on the same.\n"));
-}
-
 TEST(TableFiles, RefuseNumbersThatAreNone) {
   study::StudyRecord broken = recordWithIntervals();
   broken.confidence[0].interval->low = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)tableTex(broken), InternalError);
   EXPECT_THROW((void)tableCsv(broken), InternalError);
-}
-
-TEST(RankedTable, OverStudiesNamesWhatErrorsAreSharesOf) {
-  std::array<study::StudyMeans, 2> studies;
-  EXPECT_EQ(errorWholeOver(studies), "the samples");
-  studies[1].isSoft = true;
-  EXPECT_EQ(errorWholeOver(studies), "the samples (the light where a light has a disc)");
-  studies[0].isSoft = true;
-  EXPECT_EQ(errorWholeOver(studies), "the light");
 }
 
 }  // namespace

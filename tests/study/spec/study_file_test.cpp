@@ -68,28 +68,6 @@ TEST_F(StudyFile, WrapsAndRepeatsOnceUnlessTold) {
   EXPECT_EQ(told.relief.repeats, Vec2(2, 3.5));
 }
 
-TEST_F(StudyFile, EveryShapeAndPatternCanBeAskedFor) {
-  const char* bSpline =
-      R"({shape="b-spline", columns=4, points=[[0,0,0],[1,0,0],[2,0,0],[3,0,0],[0,1,0],[1,1,0],)"
-      R"([2,1,0],[3,1,0],[0,2,0],[1,2,0],[2,2,0],[3,2,0],[0,3,0],[1,3,0],[2,3,0],[3,3,0]]})";
-  for (const char* shape : {R"({shape="plane", quads=[2, 3], size=[9, 9]})",
-                            R"({shape="cylinder", quads=[12, 2], size=[9, 9], curvature=0.1})",
-                            R"({shape="sphere", quads=[20, 20], size=[9, 9], curvature=0.1})",
-                            R"({shape="torus", quads=[60, 80], major=4, minor=1})", bSpline}) {
-    EXPECT_FALSE(readWith({std::string("surface=") + shape}).cage.faceVertices.empty()) << shape;
-  }
-  for (const char* pattern :
-       {R"(pattern="columns", radius=3, wall=2, period=8)", R"(pattern="cosine", period=8)",
-        R"(pattern="cells", period=8, jitter=0.5, groove=1, seed=3)",
-        R"(pattern="ripples", period=8, windward=0.7, meander=2)"}) {
-    const StudySpec study = readWith({std::string("relief={texels=[16, 16], height=5, "
-                                                  "height_space=\"texture\", ") +
-                                      pattern + "}"});
-    EXPECT_GT(study.relief.field.maximum(), 2) << pattern;
-    EXPECT_LE(study.relief.field.maximum(), 5) << pattern;
-  }
-}
-
 TEST_F(StudyFile, ReadsAHeightImageBesideIt) {
   image::writeExr(file("map.exr"), image::ChannelImage{2, 1, {"Y"}, {0.25F, 1.0F}});
   const StudySpec study = readWith({R"(relief={image="map.exr", height=8, height_space="world"})"});

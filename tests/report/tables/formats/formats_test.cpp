@@ -134,49 +134,12 @@ TEST(HtmlFormat, EscapesAndSaysWhyThereIsNothing) {
   EXPECT_THAT(html, Not(HasSubstr("MB"))) << "a column for paper";
 }
 
-TEST(HtmlFormat, ShowsWhatAPageAloneHas) {
-  Table table{.kind = "sample",
-              .columns = {{"m<e>", "", Quantity::name}, {"a", "", Quantity::percent}}};
-  table.columns[1].link = "a/report.html";
-  table.columns[1].about = "A & B";
-  table.columns[1].note = "12 samples";
-  Cell tinted = heatCell(0.02, 0.08, "of 1000");
-  tinted.uncertainty = 0.003;
-  Cell name = textCell("x");
-  name.note = "not <y>";
-  name.bar = ErrorBar{0.02, 0.01, 0.01, {}, {}, 0.04};
-  table.rows = {{{name, tinted}}};
-  EXPECT_THAT(htmlTable(table).text(),
-              AllOf(HasSubstr("<th>m&lt;e&gt;</th>"),
-                    HasSubstr("<th class=\"n\" title=\"A &amp; B\"><a href=\"a/report.html\">a</a>"
-                              "<small>12 samples</small></th>"),
-                    HasSubstr("style=\"--heat:0.500\" title=\"of 1000\">2.00 "
-                              "<small>±&#8239;0.30</small></td>"),
-                    HasSubstr("x<svg class=\"error\""),
-                    HasSubstr("<small class=\"same\">not &lt;y&gt;</small></td>")));
-}
-
 TEST(CsvFormat, HoldsExactNumbersAndEmptyCells) {
   EXPECT_THAT(test::linesOf(csvTable(sample())),
               ElementsAre("rank,method,error_rate,low,high,bytes,same",
                           "1,plain,0.125,-0.001,0.25,2500000,0",  //
                           "2,a|b_& <c>,,,,,1",                    //
                           ",影の長さ,1e-05,,,1000000,0"));
-}
-
-TEST(LatexFormat, IsABareTabularOfBooktabs) {
-  EXPECT_EQ(
-      latexTabular(sample(), {onPaper, 500, 10}),
-      "% Title of <it>\n% In 100 %.\n% 影の長さ: in 1 of 2 cases\n"
-      "% \\usepackage{booktabs}; 176 mm wide in a font of 10 points or smaller\n"
-      "\\begin{tabular}{@{}l@{\\hspace{14.0pt}}l@{\\hspace{14.0pt}}r@{\\hspace{14.0pt}}r"
-      "@{\\hspace{14.0pt}}r@{}}\n  \\toprule\n"
-      "   & Method & Error & 95 \\% & Memory, MB \\\\\n  \\midrule\n"
-      "  1 & plain & 12.50 & $-$0.10 to 25.00 & 2.50 \\\\\n"
-      "  2 & $\\approx$~a\\textbar{}b\\_\\& \\textless{}c\\textgreater{} & -- & -- & -- \\\\\n"
-      "  \\midrule\n"
-      "  -- & 影の長さ & \\textless{}0.01* & -- & 1.00 \\\\\n"
-      "  \\bottomrule\n\\end{tabular}%\n");
 }
 
 /// 200 points of 10: headings break first, then names, and numbers never.

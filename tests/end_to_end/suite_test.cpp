@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "end_to_end/support/program.h"
 #include "end_to_end/support/suite_scenes.h"
 
 // Statistics over the scenes of a suite, by a run and from what runs have left.
@@ -8,6 +9,7 @@ namespace gnomon::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class SuiteRuns : public SuiteScenes {
  protected:
@@ -195,6 +197,56 @@ TEST_F(Gather, RefusesWhatIsNoSuite) {
   expectRefused({"few"}, "few/scene-04/summary.json: truth.flips.0.flip_rate: missing, a number");
   write("few/scene-04/summary.json", "{");
   expectRefused({"few"}, "few/scene-04/summary.json:1: no JSON");
+}
+
+class RankingOverStudies : public EndToEnd {
+ protected:
+  /// The small study under the name, with relief of some height.
+  void writeStudy(const std::string& name, const std::string& height) const {
+    write(name + ".toml", replaced(replaced(smallStudy(), "\"small\"", "\"" + name + "\""),
+                                   "height = 4\n", "height = " + height + "\n"));
+  }
+  [[nodiscard]] double errorIn(const std::string& study, const std::string& method) const {
+    return resultOf(summary(study), method, "evening", "camera").at("error_rate");
+  }
+  [[nodiscard]] nlohmann::json ranking() const {
+    return nlohmann::json::parse(read("out/ranking.json"));
+  }
+};
+
+TEST_F(RankingOverStudies, HoldsTheMeansOfTheStudies) {
+  writeStudy("low", "2");
+  writeStudy("high", "6");
+  // One that asks to be left out.
+  writeStudy("apart", "3");
+  write("apart.toml", replaced(read("apart.toml"), "[study]\n", "[study]\nranked = false\n"));
+  const Outcome outcome = gnomon({"run", "low.toml", "apart.toml", "high.toml"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(read("out/ranking.csv"), Not(HasSubstr("apart")));
+  const nlohmann::json methods = ranking().at("methods");
+  ASSERT_EQ(methods.size(), 2U);
+  for (const nlohmann::json& method : methods) {
+    const std::string label = method.at("label");
+    const double low = errorIn("low", label);
+    const double high = errorIn("high", label);
+    EXPECT_DOUBLE_EQ(method.at("mean_error_rate"), (low + high) / 2);
+    EXPECT_DOUBLE_EQ(method.at("worst_error_rate"), std::max(low, high));
+    EXPECT_EQ(method.at("worst_study"), high > low ? "high" : "low");
+    EXPECT_EQ(method.at("studies"), 2);
+  }
+  EXPECT_EQ(methods.at(0).at("label"), "max-forsyth");
+  EXPECT_THAT(outcome.out, HasSubstr("Methods over 2 studies"));
+  EXPECT_THAT(read("out/ranking.html"), HasSubstr("href=\"low/report.html\""));
+  EXPECT_THAT(read("out/ranking.csv"), HasSubstr("\nhigh,max-forsyth,"));
+}
+
+TEST_F(RankingOverStudies, OneStudyHasNone) {
+  writeStudy("low", "2");
+  writeStudy("apart", "3");
+  write("apart.toml", replaced(read("apart.toml"), "[study]\n", "[study]\nranked = false\n"));
+  ASSERT_EQ(gnomon({"run", "low.toml", "apart.toml"}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(file("out/apart/summary.json")));
+  EXPECT_FALSE(std::filesystem::exists(file("out/ranking.csv")));
 }
 
 }  // namespace

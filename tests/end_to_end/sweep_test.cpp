@@ -1,5 +1,3 @@
-// Sweeps of several keys, the long table, and runs that write figures alone.
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -8,12 +6,108 @@
 
 #include "end_to_end/support/program.h"
 
+// Sweeps of several keys, the long table, and runs that write figures alone.
+
 namespace gnomon::test {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
+
+constexpr const char* sweptHeights = R"(
+[sweep]
+key = "relief.height"
+values = [1, 6]
+axis = "height, world units"
+)";
+
+constexpr const char* growingGain = R"(
+[[claim]]
+text = "Shadows matter more the higher the relief"
+source = "a test"
+less = "max-forsyth"
+than = "unshadowed"
+gain_grows = true
+)";
+
+std::string sweepStudy() {
+  return smallStudy() + growingGain + sweptHeights;
+}
+
+class SweepRun : public EndToEnd {};
+
+TEST_F(SweepRun, EveryStepIsTheRunThatAnOverrideGives) {
+  runStudy("small", sweepStudy());
+  for (const char* height : {"1", "6"}) {
+    runStudy("small", smallStudy(),
+             {"--set", std::string("relief.height=") + height, "--out",
+              std::string("single-") + height});
+    const nlohmann::json step = summary(std::string("small/") + height);
+    const nlohmann::json single = summary("small", std::string("single-") + height);
+    EXPECT_EQ(step.at("results"), single.at("results"));
+    const std::string mask = "/masks/camera_evening_max-forsyth.png";
+    EXPECT_EQ(read(std::string("out/small/") + height + mask),
+              read(std::string("single-") + height + "/small" + mask));
+  }
+  const nlohmann::json json = summary("small");
+  EXPECT_EQ(json.at("schema"), "gnomon-sweep/3");
+  EXPECT_EQ(json.at("keys").at(0).at("axis"), "height, world units");
+  ASSERT_EQ(json.at("results").size(), 4U);
+  for (const nlohmann::json& row : json.at("results")) {
+    const nlohmann::json step = summary(row.at("case") == 1 ? "small/1" : "small/6");
+    // One light and one view: the mean is the result.
+    const nlohmann::json result = resultOf(step, row.at("method"), "evening", "camera");
+    for (const char* figure : {"error_rate", "false_shadow", "false_light"}) {
+      EXPECT_EQ(row.at(figure), result.at(figure));
+    }
+    EXPECT_EQ(row.at("uncertainty"), step.at("truth").at("flips").at(0).at("flip_rate"));
+  }
+  EXPECT_EQ(json.at("claims").at(0).at("verdict"), "held");
+  EXPECT_THAT(json.at("claims").at(0).at("detail").get<std::string>(),
+              HasSubstr("95 % interval of their difference"));
+  EXPECT_EQ(summary("small/6").at("claims").at(0).at("verdict"), "not evaluated");
+  EXPECT_THAT(read("out/small/sweep.csv"), HasSubstr("\n6,max-forsyth,"));
+  EXPECT_THAT(read("out/small/plots/sweep.svg"), HasSubstr("height, world units"));
+  EXPECT_THAT(read("out/small/report.html"), HasSubstr("<figure class=\"plot"));
+}
+
+TEST_F(SweepRun, OneGateThatFailsAtOneValueFailsTheCheck) {
+  const auto errorAt = [&](const char* height) {
+    return resultOf(summary(std::string("small/") + height), "unshadowed", "evening", "camera")
+        .at("error_rate")
+        .get<double>();
+  };
+  runStudy("small", sweepStudy());
+  ASSERT_GT(errorAt("6"), 1.2 * errorAt("1"));
+  const auto checkWith = [&](double limit) {
+    write("small.toml", sweepStudy() + "\n[[threshold]]\nmethod = \"unshadowed\"\nmax = " +
+                            nlohmann::json(limit).dump() + "\n");
+    return gnomon({"check", "small.toml"});
+  };
+  EXPECT_EQ(checkWith(1.01 * errorAt("6")).status, 0);
+  const Outcome failed = checkWith(1.01 * errorAt("1"));
+  EXPECT_EQ(failed.status, 1) << failed.err;
+  EXPECT_THAT(failed.out, HasSubstr(", camera, evening, at 6: 0."));
+  EXPECT_EQ(summary("small").at("status"), "fail");
+  EXPECT_EQ(summary("small/1").at("status"), "pass");
+  EXPECT_EQ(summary("small/6").at("status"), "fail");
+}
+
+TEST_F(SweepRun, BakesTheTablesOfEveryValue) {
+  write("small.toml", smallStudy() + "\n[sweep]\nkey = \"bake.radius\"\nvalues = [4, 8]\n");
+  const Outcome outcome = gnomon({"bake", "small.toml"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(read("out/small/4/tables.exr"), read("out/small/8/tables.exr"));
+}
+
+TEST_F(SweepRun, WithoutGnuplotNothingIsRun) {
+  write("small.toml", sweepStudy());
+  const Outcome outcome = gnomon({"run", "small.toml"}, {"PATH=/nowhere"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("gnomon: gnuplot: cannot be started"));
+  EXPECT_TRUE(filesBelow("out").empty());
+}
 
 using Row = std::map<std::string, std::string>;
 
@@ -92,34 +186,6 @@ TEST_F(MetricsOnly, ASingleStudyLeavesTheSameBytesToo) {
   EXPECT_EQ(json.at("study").at("command"), "gnomon run small.toml --metrics-only");
 }
 
-TEST_F(MetricsOnly, HasTheFiguresOfTheFullRun) {
-  const std::string study = replaced(gridStudy(), "frames = 0", "frames = 5");
-  runStudy("small", study);
-  runStudy("small", study, {"--metrics-only", "--out", "figures"});
-  EXPECT_EQ(read("out/small/cases.csv"), read("figures/small/cases.csv"));
-  nlohmann::json full = summary("small");
-  const nlohmann::json figures = summary("small", "figures");
-  for (nlohmann::json& row : full.at("results")) row["frame_ms"] = nullptr;
-  for (const char* key : {"keys", "results", "status", "notices"}) {
-    EXPECT_EQ(full.at(key), figures.at(key)) << key;
-  }
-  EXPECT_TRUE(figures.at("steps").at(0).at("summary").is_null());
-}
-
-TEST_F(MetricsOnly, ItsCopyGivesItAgain) {
-  runStudy("small", gridStudy(), {"--metrics-only", "--quick", "--method", "max-forsyth"});
-  const Outcome again = gnomon({"run", "out/small/small.toml", "--metrics-only", "--out", "again"});
-  ASSERT_EQ(again.status, 0) << again.err;
-  EXPECT_EQ(read("out/small/cases.csv"), read("again/small/cases.csv"));
-}
-
-TEST_F(MetricsOnly, RemovesWhatAFullRunLeft) {
-  runStudy("small", gridStudy());
-  EXPECT_FALSE(read("out/small/height-6_azimuths-8/summary.json").empty());
-  runStudy("small", gridStudy(), {"--metrics-only"});
-  EXPECT_EQ(filesBelow("out").size(), 4U);
-}
-
 TEST_F(MetricsOnly, NeedsNoGnuplot) {
   write("small.toml", gridStudy());
   const Outcome outcome = gnomon({"run", "small.toml", "--metrics-only"}, {"PATH=/nowhere"});
@@ -146,23 +212,10 @@ TEST_F(MetricsOnly, AChecksFaultsAreInTheSummary) {
   EXPECT_THAT(pictures.err, HasSubstr("--baseline-pictures: a run with pictures expected"));
 }
 
-TEST_F(MetricsOnly, JudgesReferencesOfEveryCase) {
-  // Without any gate a check does not pass.
-  write("small.toml", gridStudy() + "\n[[threshold]]\nmethod = \"max-forsyth\"\nmax = 0.9\n");
-  const std::vector<std::string> check = {"check", "small.toml", "--metrics-only", "--baseline",
-                                          "ref"};
-  std::vector<std::string> update = check;
-  update.insert(update.end(), {"--update-baseline", "--reason", "a test"});
-  const Outcome written = gnomon(update);
-  EXPECT_EQ(written.status, 0) << written.err;
-  EXPECT_THAT(read("ref/small.json"), HasSubstr("small/height-6_azimuths-8"));
-  EXPECT_EQ(gnomon(check).status, 0);
-}
-
 // ---- the long table
 
 TEST_F(MetricsOnly, TheLongTableHasTheMetricsOfEveryStep) {
-  runStudy("small", gridStudy());
+  runStudy("small", replaced(gridStudy(), "frames = 0", "frames = 5"));
   const std::vector<Row> rows = rowsOf(read("out/small/cases.csv"));
   EXPECT_THAT(read("out/small/cases.csv"),
               ::testing::StartsWith("case,relief.height,bake.azimuths,method,view,light,answer,"
@@ -216,6 +269,15 @@ TEST_F(MetricsOnly, TheLongTableHasTheMetricsOfEveryStep) {
   }
   EXPECT_EQ(found, rows.size()) << "and nothing else";
   EXPECT_GT(found, 100U);
+  // Without pictures the figures are the same.
+  runStudy("small", replaced(gridStudy(), "frames = 0", "frames = 5"),
+           {"--metrics-only", "--out", "figures"});
+  EXPECT_EQ(read("out/small/cases.csv"), read("figures/small/cases.csv"));
+  nlohmann::json full = sweep;
+  for (nlohmann::json& row : full.at("results")) row["frame_ms"] = nullptr;
+  for (const char* key : {"keys", "results", "status", "notices"}) {
+    EXPECT_EQ(full.at(key), summary("small", "figures").at(key)) << key;
+  }
 }
 
 TEST_F(MetricsOnly, TheLongTableHasTheIntervals) {
@@ -239,30 +301,6 @@ TEST_F(MetricsOnly, TheLongTableHasTheIntervals) {
     }
   }
   EXPECT_EQ(intervals, 8U) << "four cases of two methods";
-}
-
-TEST_F(MetricsOnly, AFullSweepOfTwoKeysHasPlotsAndTables) {
-  runStudy("small", replaced(replaced(gridStudy(), "elevation = 30", "elevation = [50, 20]"),
-                             "name = \"evening\"\n", ""));
-  for (const char* plot : {"sweep_1", "sweep_2", "sweep_lights_1", "sweep_lights_2"}) {
-    EXPECT_THAT(read("out/small/plots/" + std::string(plot) + ".svg"), HasSubstr("</svg>")) << plot;
-  }
-  EXPECT_THAT(read("out/small/table.tex"), HasSubstr("height & azimuths & unshadowed"));
-  const std::string page = read("out/small/report.html");
-  EXPECT_THAT(page, HasSubstr("<a href=\"height-6_azimuths-8/report.html\">"));
-  EXPECT_THAT(page, Not(HasSubstr("so that no plot shows them")));
-}
-
-TEST_F(MetricsOnly, FrameTimesCanBeLeftOut) {
-  runStudy("small", smallStudy());
-  const nlohmann::json json = summary("small");
-  for (const nlohmann::json& cost : json.at("cost")) EXPECT_TRUE(cost.at("frame_ms").is_null());
-  for (const nlohmann::json& timing : json.at("timings")) {
-    EXPECT_NE(timing.at("stage"), "frame times");
-  }
-  EXPECT_THAT(read("out/small/report.html"), HasSubstr(">not timed</td>"));
-  EXPECT_THAT(read("out/small/table.tex"), HasSubstr("No frame was timed."));
-  EXPECT_THAT(read("out/small/table.csv"), HasSubstr(",\n"));
 }
 
 }  // namespace

@@ -1,18 +1,50 @@
 #include <gmock/gmock.h>
+#include <pugixml.hpp>
 
 #include <algorithm>
 #include <filesystem>
-#include <pugixml.hpp>
 
 #include "end_to_end/support/program.h"
 
 // What a check leaves for a build server, whatever becomes of its studies.
+// The committed thresholds catch a shader that is wrong, and pass the one that they are for: a gate
+// that nothing fails is none. That every scene passes as it is: the tests named `check.SCENE`.
 
 namespace gnomon::test {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+
+class Check : public EndToEnd {
+ protected:
+  [[nodiscard]] Outcome check(const std::string& threshold, const std::string& command = "check") {
+    write("small.toml", smallStudy() + "\n[[threshold]]\n" + threshold);
+    return gnomon({command, "small.toml"});
+  }
+};
+
+TEST_F(Check, WritesItsReportWhetherItPassesOrNot) {
+  EXPECT_EQ(check("max = 0.0001\n").status, 1);
+  EXPECT_EQ(summary("small").at("status"), "fail");
+  const nlohmann::json thresholds = summary("small").at("thresholds");
+  ASSERT_EQ(thresholds.size(), 2U) << "one for each method";
+  EXPECT_EQ(thresholds.at(0).at("passed"), false);
+  EXPECT_EQ(thresholds.at(1).at("maximum"), 0.0001);
+  EXPECT_EQ(thresholds.at(1).at("value"),
+            resultOf(summary("small"), "max-forsyth", "evening", "camera").at("error_rate"));
+}
+
+/// A run records thresholds and ends with 0.
+TEST_F(Check, TheControlFailsTheGateThatTheMethodPasses) {
+  EXPECT_EQ(check("max = 0.0001\n", "run").status, 0);
+  EXPECT_EQ(summary("small").at("status"), "fail");
+  const double error =
+      resultOf(summary("small"), "max-forsyth", "evening", "camera").at("error_rate");
+  const std::string gate = "max = " + nlohmann::json(1.2 * error).dump() + "\n";
+  EXPECT_EQ(check("method = \"max-forsyth\"\n" + gate).status, 0);
+  EXPECT_EQ(check("method = \"unshadowed\"\n" + gate).status, 1);
+}
 
 class CheckFiles : public EndToEnd {
  protected:
@@ -99,17 +131,6 @@ TEST_F(CheckFiles, WhatIsUndefinedIsAnError) {
   EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 1, 0}));
 }
 
-TEST_F(CheckFiles, AThresholdThatMatchesNothingIsAnError) {
-  // In an atlas there is no answer by counted shadow volumes.
-  writeStudy("a",
-             "[[method]]\nname = \"shadow-volume\"\n[[view]]\ntype = \"atlas\"\nsamples = 5\n" +
-                 easy + "[[threshold]]\nmethod = \"shadow-volume\"\nview = \"atlas\"\nmax = 0.5\n");
-  const Outcome outcome = gnomon({"check", "a.toml", "--junit", "junit.xml"});
-  EXPECT_EQ(outcome.status, 3);
-  EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 1, 0}));
-  EXPECT_THAT(outcome.err, HasSubstr("no result matches it (line "));
-}
-
 TEST_F(CheckFiles, WhatIsLeftOutIsSkippedAndPassesNothing) {
   writeStudy("a", easy + "[[threshold]]\nmethod = \"unshadowed\"\nmin = 0.01\nquick = false\n");
   const std::vector<std::string> check = {"check",   "a.toml", "--junit",         "junit.xml",
@@ -122,12 +143,6 @@ TEST_F(CheckFiles, WhatIsLeftOutIsSkippedAndPassesNothing) {
   EXPECT_EQ(outcome.status, 3);
   EXPECT_THAT(outcome.err, HasSubstr("every [[threshold]] is left out"));
   EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 1, 2}));
-}
-
-TEST_F(CheckFiles, GatedOnlyRunsNoOtherMethod) {
-  writeStudy("a", easy);
-  EXPECT_EQ(gnomon({"check", "a.toml", "--gated"}).status, 0);
-  EXPECT_EQ(summary("a").at("methods").size(), 1U);
 }
 
 TEST_F(CheckFiles, WithoutOpenGlEveryStudyHasAnError) {
@@ -179,18 +194,44 @@ TEST_F(CheckFiles, ASummaryIsAddedToNothingThatIsRead) {
   }
 }
 
-TEST_F(CheckFiles, AnnotationsAreThereOnlyWhereTheyAreAskedFor) {
-  writeStudy("a", hard);
-  EXPECT_THAT(gnomon({"check", "a.toml"}).out, Not(HasSubstr("::error")));
+class CommittedGates : public EndToEnd, public ::testing::WithParamInterface<const char*> {
+ protected:
+  [[nodiscard]] Outcome check(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {"check",
+                                          std::string(GNOMON_SCENES "/") + GetParam() + ".toml",
+                                          "--quick", "--method", "onoue-2004"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return gnomon(arguments);
+  }
+};
+
+class CatchAFault : public CommittedGates {};
+
+TEST_P(CatchAFault, AFlippedSignOfEquationTwo) {
+  const Outcome outcome =
+      check({"--replace", "onoue-2004=" GNOMON_OWN_METHODS "/flipped-onoue-2004.glsl"});
+  EXPECT_EQ(outcome.status, 1) << outcome.err << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("onoue-2004, error_rate ≤ "));
+  EXPECT_THAT(outcome.out, HasSubstr("too large by"));
+  EXPECT_EQ(summary(GetParam()).at("methods").at(0).at("name"), "flipped-onoue-2004");
 }
 
-TEST_F(CheckFiles, ANoticeTellsOfALimitThatCouldBeTightened) {
-  writeStudy("a", easy);
-  const Outcome outcome = gnomon({"check", "a.toml", "--github"});
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.out, HasSubstr("::notice file=a.toml,line=44,title=a%3A notice::the limit on "
-                                     "error_rate of max-forsyth could be tightened: at most 0.9"));
+INSTANTIATE_TEST_SUITE_P(Scenes, CatchAFault,
+                         ::testing::Values("figure6", "figure7", "figure8", "saddle",
+                                           "sloan-cylinder", "sphere-cells", "sphere-columns",
+                                           "torus"));
+
+class TellMethodsApart : public CommittedGates {};
+
+TEST_P(TellMethodsApart, TheFlatMethodFailsTheCurvatureAwareOnes) {
+  EXPECT_EQ(check({"--replace", "onoue-2004=max-forsyth"}).status, 1);
 }
+
+TEST_P(TellMethodsApart, AnotherFileOfTheSameMethodPasses) {
+  EXPECT_EQ(check({"--replace", "onoue-2004=onoue-2004"}).status, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, TellMethodsApart, ::testing::Values("figure8", "sphere-columns"));
 
 }  // namespace
 }  // namespace gnomon::test

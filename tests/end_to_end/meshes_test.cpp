@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "end_to_end/support/program.h"
 
+// Whole runs on a mesh from a file: the same surface in every format, and a face without texture.
 // The same scene in other numbers must have the same shadows. Shadows do not depend on the unit of
 // length, on how a periodic map is cut into tiles, or on which way the world is turned.
 //
@@ -22,6 +24,190 @@
 
 namespace gnomon::test {
 namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A plate of side 2 at z = `height`, in 4 × 4 faces, with the whole texture.
+std::string plate(const std::string& name, double side, double height) {
+  std::string text = "o " + name + "\n";
+  for (int j = 0; j <= 4; ++j) {
+    for (int i = 0; i <= 4; ++i) {
+      text += "v " + std::to_string(side * (i / 4.0 - 0.5)) + " " +
+              std::to_string(side * (j / 4.0 - 0.5)) + " " + std::to_string(height) + "\nvt " +
+              std::to_string(i / 4.0) + " " + std::to_string(j / 4.0) + "\n";
+    }
+  }
+  const auto corner = [](int i, int j) {
+    const std::string index = std::to_string(5 * (j - 5) + (i - 5) + 5);
+    return " " + index + "/" + index;
+  };
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      text +=
+          "f" + corner(i, j) + corner(i + 1, j) + corner(i + 1, j + 1) + corner(i, j + 1) + "\n";
+    }
+  }
+  return text;
+}
+
+std::string platesStudy(const std::string& height = "0.05") {
+  return R"([study]
+name = "plates"
+title = "A plate above another"
+source = "a test"
+frames = 0
+[surface]
+mesh = "plates.obj"
+
+[relief]
+pattern = "columns"
+texels = [32, 32]
+period = 16
+radius = 4
+height = )" +
+         height + R"(
+height_space = "world"
+wrap = "clamp"
+
+[[view]]
+type = "atlas"
+samples = 9
+
+[[light]]
+name = "noon"
+azimuth = 20
+elevation = 50
+
+[[method]]
+name = "unshadowed"
+)";
+}
+
+class Parts : public EndToEnd {};
+
+/// Both plates carry columns that shade their own plate; the roof shades the floor.
+TEST_F(Parts, AreToldApartByReceiverAndCaster) {
+  write("plates.obj", plate("floor", 2, 0) + plate("roof", 1, 0.3));
+  runStudy("plates", platesStudy("0.2"));
+  const nlohmann::json json = summary("plates");
+  const auto count = [&](const std::string& region, const char* key) {
+    return resultOf(json, "unshadowed", "noon", "atlas", region).at(key).get<double>();
+  };
+  for (const char* key : {"samples", "tp", "fp", "fn", "tn"}) {
+    EXPECT_NEAR(count("floor", key) + count("roof", key), count("all", key), 1e-9) << key;
+    EXPECT_NEAR(count("floor shaded by floor", key) + count("floor shaded by roof", key) +
+                    count("roof shaded by roof", key) + count("roof shaded by floor", key),
+                count("cast", key) + count("distant", key) + count("global", key), 1e-9)
+        << key;
+  }
+  EXPECT_EQ(count("floor", "samples"), 16 * 81);
+  for (const char* region :
+       {"floor shaded by floor", "floor shaded by roof", "roof shaded by roof"}) {
+    EXPECT_GT(count(region, "fn"), 0) << region;
+  }
+  EXPECT_EQ(count("roof shaded by floor", "samples"), 0);
+  // Another plate is not where the path leads.
+  EXPECT_GE(count("global", "samples"), count("floor shaded by roof", "samples"));
+  EXPECT_THAT(read("out/plates/metrics.csv"), HasSubstr(",floor shaded by roof,"));
+}
+
+/// The roof's shadow is its own size, of the area 1, all of which is wrong without shadows.
+TEST_F(Parts, ARoofShadesAsMuchAsItCovers) {
+  write("plates.obj", plate("floor", 2, 0) + plate("roof", 1, 0.3));
+  runStudy("plates", platesStudy() + "\n[[threshold]]\nregion = \"floor\"\nmax = 0.1\n");
+  EXPECT_EQ(summary("plates").at("status"), "fail") << "a part may hold a threshold";
+  const nlohmann::json json = summary("plates");
+  const nlohmann::json shaded =
+      resultOf(json, "unshadowed", "noon", "atlas", "floor shaded by roof");
+  EXPECT_NEAR(shaded.at("fn").get<double>(), 1, 0.02);
+  EXPECT_EQ(shaded.at("tp"), 0);
+  EXPECT_EQ(resultOf(json, "unshadowed", "noon", "atlas", "global").at("fn"), shaded.at("fn"));
+}
+
+TEST_F(Parts, HaveNamesOfTheirOwn) {
+  write("plates.obj", plate("floor", 2, 0) + plate("seam", 1, 0.3));
+  write("plates.toml", platesStudy());
+  const Outcome outcome = gnomon({"run", "plates.toml"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("surface.mesh"));
+  EXPECT_THAT(outcome.err, HasSubstr("seam"));
+}
+
+/// The small study on a mesh, in a camera and in an atlas of 7 × 7 samples a face.
+std::string studyOf(const std::string& mesh, const std::string& name) {
+  std::string text = replaced(smallStudy(), "shape = \"plane\"\nquads = [4, 4]\nsize = [32, 32]",
+                              "mesh = \"" + mesh + "\"");
+  text = replaced(text, "name = \"small\"", "name = \"" + name + "\"");
+  return replaced(text, "[[light]]", "[[view]]\ntype = \"atlas\"\nsamples = 7\n\n[[light]]");
+}
+
+/// Two squares side by side, the second bent upward; its corners as given.
+std::string objOf(const std::string& second) {
+  return "v -16 -16 0\nv 0 -16 0\nv 16 -16 3\nv -16 16 0\nv 0 16 0\nv 16 16 3\n"
+         "vt 0 0\nvt 0.5 0\nvt 0.5 1\nvt 0 1\nvt 1 0\nvt 1 1\n"
+         "f 1/1 2/2 5/3 4/4\nf " +
+         second + "\n";
+}
+
+/// The same, its vertices cut apart where the squares meet.
+const std::string cutPly =
+    "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\n"
+    "property float z\nproperty float s\nproperty float t\nelement face 2\n"
+    "property list uchar int vertex_indices\nend_header\n"
+    "-16 -16 0 0 0\n0 -16 0 0.5 0\n0 16 0 0.5 1\n-16 16 0 0 1\n"
+    "0 -16 0 0.5 0\n16 -16 3 1 0\n16 16 3 1 1\n0 16 0 0.5 1\n4 0 1 2 3\n4 4 5 6 7\n";
+
+class MeshFiles : public EndToEnd {};
+
+TEST_F(MeshFiles, AnObjAndAPlyOfTheSameMeshGiveTheSameFigures) {
+  write("mesh.obj", objOf("2/2 3/5 6/6 5/3"));
+  write("mesh.ply", cutPly);
+  runStudy("from-obj", studyOf("mesh.obj", "from-obj"));
+  runStudy("from-ply", studyOf("mesh.ply", "from-ply"));
+  const nlohmann::json obj = summary("from-obj");
+  const nlohmann::json ply = summary("from-ply");
+  EXPECT_EQ(obj.at("results"), ply.at("results"));
+  EXPECT_EQ(obj.at("undefined_samples"), 0);
+  EXPECT_GT(resultOf(obj, "unshadowed", "evening", "camera").at("prevalence"), 0.02);
+}
+
+// A clamped map goes on beyond its sides as they are: a face there is flat, and was 0.00 % wrong.
+TEST_F(MeshFiles, FacesOutsideAClampedMapAreTold) {
+  const std::string inside = "f 1/1 2/2 5/3 4/4\nf 2/2 3/5 6/6 5/3\n";
+  const auto meshWith = [&](const std::string& faces) {
+    return replaced(objOf("2/2 3/5 6/6 5/3"), inside, "vt 2 0\nvt 3 0\nvt 3 1\nvt 2 1\n" + faces);
+  };
+  write("half.obj", meshWith("f 1/1 2/2 5/3 4/4\nf 2/7 3/8 6/9 5/10\n"));
+  write("none.obj", meshWith("f 1/7 2/8 5/9 4/10\nf 2/7 3/8 6/9 5/10\n"));
+  runStudy("half", studyOf("half.obj", "half"), {"--set", "relief.wrap=clamp"});
+  EXPECT_THAT(summary("half").at("notices").dump(),
+              HasSubstr("1 of 2 faces have texture coordinates outside the map"));
+  runStudy("half", studyOf("half.obj", "half"), {"--set", "relief.wrap=repeat"});
+  EXPECT_THAT(summary("half").at("notices").dump(), Not(HasSubstr("outside the map")));
+  write("none.toml", studyOf("none.obj", "none"));
+  const Outcome refused = gnomon({"run", "none.toml", "--set", "relief.wrap=clamp"});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_THAT(refused.err, HasSubstr("relief.wrap: clamp found"));
+}
+
+TEST_F(MeshFiles, SamplesOfAFaceWithoutTextureAreCountedAndLeftOut) {
+  write("whole.obj", objOf("2/2 3/5 6/6 5/3"));
+  write("half.obj", objOf("2 3 6 5"));
+  runStudy("whole", studyOf("whole.obj", "whole"));
+  runStudy("half", studyOf("half.obj", "half"));
+  const auto samples = [](const nlohmann::json& summary, const std::string& view) {
+    return resultOf(summary, "max-forsyth", "evening", view).at("samples").get<int>();
+  };
+  EXPECT_EQ(samples(summary("whole"), "atlas"), 2 * 7 * 7);
+  EXPECT_EQ(samples(summary("half"), "atlas"), 7 * 7);
+  const int missing = samples(summary("whole"), "camera") - samples(summary("half"), "camera");
+  EXPECT_GT(missing, samples(summary("half"), "camera") / 2);
+  EXPECT_EQ(summary("half").at("undefined_samples"), 7 * 7 + missing);
+  // What is left has its shadows still: those of the same relief.
+  EXPECT_GT(resultOf(summary("half"), "unshadowed", "evening", "atlas").at("prevalence"), 0.02);
+  EXPECT_LT(resultOf(summary("half"), "max-forsyth", "evening", "atlas").at("error_rate"), 0.2);
+}
 
 constexpr std::array allMethods = {
     "ellipse",       "geodesic-march",   "max-forsyth",         "onoue-2003",        "onoue-2004",
