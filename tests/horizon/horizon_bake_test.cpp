@@ -1,26 +1,32 @@
-#include "horizon/horizon_bake.h"
-
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <random>
+#include <set>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "common/error.h"
 #include "common/system/memory.h"
+#include "horizon/horizon_bake.h"
 #include "horizon/horizon_truth.h"
 #include "horizon/kernel/azimuth_plan.h"
+#include "horizon/kernel/tile_kernel.h"
 #include "horizon/kernel/tile_scratch.h"
 #include "support/error_messages.h"
 
 namespace gnomon::horizon {
 namespace {
+
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -416,6 +422,61 @@ TEST(HorizonBake, ExtremeHeightsStayFinite) {
   const relief::HeightField fair =
       sampled(9, 9, relief::Wrap::repeat, [](int x, int) { return x * 1e30; });
   for (const float slope : bakeHorizons(fair, {8, 5}).horizon) EXPECT_TRUE(std::isfinite(slope));
+}
+
+/// While it lives, what is dispatched runs on one instruction set.
+class OnTarget {
+ public:
+  explicit OnTarget(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
+  ~OnTarget() { hwy::SetSupportedTargetsForTest(0); }
+  OnTarget(const OnTarget&) = delete;
+  OnTarget& operator=(const OnTarget&) = delete;
+};
+
+/// The instruction sets that this processor has and the baker is compiled for.
+std::vector<std::int64_t> targets() {
+  std::vector<std::int64_t> found;
+  std::set<std::string> names;
+  const std::int64_t supported = hwy::SupportedTargets();
+  for (std::int64_t bit = 1; bit > 0 && bit <= HWY_EMU128; bit <<= 1) {
+    if ((supported & bit) == 0) continue;
+    const OnTarget on(bit);
+    const std::string name = bakeInstructionSet();
+    if (name == hwy::TargetName(bit) && names.insert(name).second) found.push_back(bit);
+  }
+  return found;
+}
+
+TEST(HorizonTargets, AreSeveralWhereTheProcessorHasWideVectors) {
+#if defined(__x86_64__)
+  if ((hwy::SupportedTargets() & HWY_AVX2) == 0) GTEST_SKIP() << "no AVX2";
+  EXPECT_GE(targets().size(), 3U);
+#endif
+}
+
+TEST(HorizonTargets, AreEachExact) {
+  for (const std::int64_t target : targets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    const OnTarget on(target);
+    for (const relief::Wrap wrap : {relief::Wrap::repeat, relief::Wrap::clamp}) {
+      expectExact(noise(19, 14, wrap), {7, 12.34});
+      expectExact(coarseNoise(13, 17, wrap, 4), {8, 9.5});
+    }
+    expectExact(noise(5, 6, relief::Wrap::repeat), {5, 80.2});
+  }
+}
+
+TEST(HorizonTargets, AgreeToTheBit) {
+  for (const relief::Wrap wrap : {relief::Wrap::repeat, relief::Wrap::clamp}) {
+    const relief::HeightField field = noise(150, 90, wrap, 6);
+    const HorizonTables widest = bakeHorizons(field, {12, 200.5});
+    for (const std::int64_t target : targets()) {
+      const OnTarget on(target);
+      const HorizonTables tables = bakeHorizons(field, {12, 200.5});
+      EXPECT_EQ(tables.horizon, widest.horizon) << hwy::TargetName(target);
+      EXPECT_EQ(tables.distance, widest.distance) << hwy::TargetName(target);
+    }
+  }
 }
 
 }  // namespace

@@ -43,7 +43,9 @@ TEST(TomlReader, RefusalsNameFileLineAndKeyWhatWasFoundAndWhatWasExpected) {
   const auto numbers = [](const TomlReader& reader) { (void)reader.numbers("x", anyNumber); };
   const auto points = [](const TomlReader& reader) { (void)reader.points("x"); };
   const auto tables = [](const TomlReader& reader) { (void)reader.tables("x"); };
-  const auto choice = [](const TomlReader& reader) { (void)reader.choice("x", {"repeat", "clamp"}); };
+  const auto choice = [](const TomlReader& reader) {
+    (void)reader.choice("x", {"repeat", "clamp"});
+  };
   const Refusal refusals[] = {
       {"\n[relief]\nheight = \"tall\"\n",
        [](const TomlReader& reader) { (void)reader.table("relief").number("height", positive); },
@@ -83,7 +85,9 @@ TEST(TomlReader, RefusalsNameFileLineAndKeyWhatWasFoundAndWhatWasExpected) {
       {"x = \"mirror\"\n", choice, {"the string \"mirror\" found, one of repeat, clamp expected"}},
       {"x = 1\n", choice, {"1 found"}},
       {"", choice, {"x: missing, one of repeat, clamp expected"}},
-      {"x = 1", [](const TomlReader& reader) { (void)reader.flag("x"); }, {"true or false expected"}},
+      {"x = 1",
+       [](const TomlReader& reader) { (void)reader.flag("x"); },
+       {"true or false expected"}},
       {"x = [1, 2, 3]\n", list, {"a list of 3 found, a list of 2 numbers expected"}},
       {"x = [1, \"2\"]\n", list, {"the string \"2\" found"}},
       {"x = [1, nan]\n", list, {"nan found"}},
