@@ -210,19 +210,6 @@ TEST_F(Compare, FiguresOfTwoFormatsByHand) {
   EXPECT_EQ(figures({"mine.exr", "truth.png", "--invert"}).at("error_rate"), 28.0 / 32);
 }
 
-TEST_F(Compare, OnlyTheRegionOfInterestCounts) {
-  writeTwo();
-  std::vector<float> right;
-  for (int i = 0; i < 32; ++i) right.push_back(i % 8 < 4 ? 0.0F : 1.0F);
-  writePicture(file("roi.png"), {8, 4, {"Y"}, right, OIIO::TypeDesc::UINT8});
-  const nlohmann::json found = figures({"mine.exr", "truth.png", "--roi", "roi.png"});
-  EXPECT_EQ(found.at("samples"), 16);
-  EXPECT_EQ(found.at("outside_roi"), 16);
-  EXPECT_EQ(found.at("error_rate"), 4.0 / 16);
-  EXPECT_TRUE(found.at("fnr").is_null());
-  EXPECT_EQ(found.at("undefined").at("fnr"), "the truth has no shadow");
-}
-
 TEST_F(Compare, GatesDecideTheExitStatus) {
   writeTwo();
   const auto status = [&](const std::vector<std::string>& gates) {
@@ -255,42 +242,20 @@ TEST_F(Compare, WritesTheTableTheFiguresAndTheDifference) {
   EXPECT_EQ(filesBelow("f"), (std::vector<std::string>{"difference.png", "figures.json"}));
 }
 
-TEST_F(Compare, SoftMasksNeedAThresholdAndItsWorkIsCounted) {
+TEST_F(Compare, PicturesThatCannotBeComparedAreBadInput) {
   writeTwo();
+  writePicture(file("small.png"), {4, 4, {"Y"}, std::vector<float>(16), OIIO::TypeDesc::UINT8});
+  writePicture(file("dark.png"), {8, 4, {"Y"}, std::vector<float>(32), OIIO::TypeDesc::UINT8});
   std::vector<float> soft;
   for (int i = 0; i < 32; ++i) soft.push_back(static_cast<float>(i % 8) / 7);
   writePicture(file("soft.exr"), {8, 4, {"Y"}, soft});
-  expectRefusal({"soft.exr", "truth.png"}, 3,
-                {"soft.exr", "24 of 32 pixels", "column 1, row 0", "--binarise"});
-  const nlohmann::json found = figures({"soft.exr", "truth.png", "--binarise", "0.5"});
-  EXPECT_EQ(found.at("error_rate"), 0);
-  EXPECT_EQ(found.at("candidate").at("binarised"), 24);
-  EXPECT_EQ(found.at("truth").at("binarised"), 0);
-}
-
-TEST_F(Compare, PicturesThatCannotBeComparedAreBadInput) {
-  writeTwo();
-  write("text.png", "not a picture");
-  writePicture(file("small.png"), {4, 4, {"Y"}, std::vector<float>(16), OIIO::TypeDesc::UINT8});
-  writePicture(file("dark.png"), {8, 4, {"Y"}, std::vector<float>(32), OIIO::TypeDesc::UINT8});
-  std::vector<float> holes(32);
-  holes[11] = std::nanf("");
-  writePicture(file("nan.exr"), {8, 4, {"Y"}, holes});
-  std::vector<float> rgba(4 * 32);
-  writePicture(file("clear.exr"), {8, 4, {"R", "G", "B", "A"}, rgba});
   expectRefusal({"none.exr", "truth.png"}, 3, {"none.exr", "no such file"});
-  expectRefusal({"mine.exr", "text.png"}, 3, {"text.png", "not an image"});
   expectRefusal({"small.png", "truth.png"}, 3, {"small.png against truth.png", "4 × 4", "8 × 4"});
-  expectRefusal({"mine.exr", "truth.png", "--roi", "small.png"}, 3,
-                {"region of interest: 4 × 4", "small.png"});
   expectRefusal({"mine.exr", "truth.png", "--roi", "dark.png"}, 3,
                 {"region of interest: no pixel is white"});
-  expectRefusal({"nan.exr", "truth.png"}, 3, {"nan.exr", "column 3, row 1", "not finite"});
-  const std::string longName = "a-name-that-is-too-long-for-a-string-without-memory.png";
-  std::filesystem::copy_file(file("small.png"), file(longName));
-  expectRefusal({longName, "truth.png"}, 3, {longName + " against truth.png", "8 × 4"});
-  expectRefusal({"clear.exr", "truth.png"}, 3, {"no sample at 32 of the 32 pixels"});
-  expectRefusal({"mine.exr", "clear.exr"}, 3, {"truth: no pixel has a sample"});
+  expectRefusal({"soft.exr", "truth.png"}, 3,
+                {"soft.exr", "24 of 32 pixels", "column 1, row 0", "--binarise"});
+  EXPECT_EQ(figures({"soft.exr", "truth.png", "--binarise", "0.5"}).at("error_rate"), 0);
   expectRefusal({"mine.exr", "truth.png", "--channel", "Z"}, 3, {"no channel \"Z\", it has Y"});
 }
 

@@ -88,35 +88,6 @@ TEST_F(Export, AnotherRendererReproducesTheTruthOnAClosedSurface) {
   expectReproduced("ring", about, 0.02);
 }
 
-TEST_F(Export, TheCameraPutsEverySampleOnItsPixel) {
-  const nlohmann::json about = aboutOf("small");
-  const nlohmann::json& view = about.at("views").at(0);
-  const Channels samples = readChannels(file("out/small/export/samples/camera.exr"));
-  const auto transformed = [](const nlohmann::json& matrix, const std::array<double, 4>& v) {
-    std::array<double, 4> result{};
-    for (std::size_t r = 0; r < 4; ++r) {
-      for (std::size_t c = 0; c < 4; ++c) {
-        result.at(r) += matrix.at(r).at(c).get<double>() * v.at(c);
-      }
-    }
-    return result;
-  };
-  int seen = 0;
-  for (int i = 0; i < 64 * 64; ++i) {
-    const auto pixel = static_cast<std::size_t>(i);
-    if (samples.of.at("face")[pixel] < 0) continue;
-    ++seen;
-    // The base mesh of a plane is the plane, so that its pixel shows the point itself.
-    const Point p = samples.point("base", pixel);
-    const auto clip = transformed(view.at("camera").at("projection"),
-                                  transformed(view.at("camera").at("view"), {p[0], p[1], p[2], 1}));
-    EXPECT_NEAR(clip[0] / clip[3], 2 * (i % 64 + 0.5) / 64 - 1, 1e-4);
-    EXPECT_NEAR(clip[1] / clip[3], 1 - 2 * (i / 64 + 0.5) / 64, 1e-4);
-    EXPECT_LT(std::abs(clip[2] / clip[3]), 1);
-  }
-  EXPECT_GT(seen, 2000);
-}
-
 TEST_F(Export, SampleMapsAreTheSameInAllForms) {
   const nlohmann::json about = aboutOf("small");
   const nlohmann::json& view = about.at("views").at(0);
@@ -242,52 +213,6 @@ TEST_F(Export, TheSameStudyGivesTheSameBytes) {
   for (const std::string& name : files) {
     if (name == "export.json") continue;  // it names the command and the threads
     EXPECT_EQ(read("out/small/export/" + name), read("again/small/export/" + name)) << name;
-  }
-}
-
-TEST_F(Export, TheBaseMeshIsWhatTheRasteriserDraws) {
-  const nlohmann::json about = aboutOf("small");
-  EXPECT_EQ(about.at("base_mesh").at("triangles"), 4 * 4 * 2);
-  std::istringstream lines(read("out/small/export/base.obj"));
-  std::vector<Point> points, normals;
-  std::vector<std::array<double, 2>> uvs;
-  double area = 0;
-  int faces = 0;
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string key;
-    words >> key;
-    if (key == "v" || key == "vn") {
-      Point p{};
-      words >> p[0] >> p[1] >> p[2];
-      (key == "v" ? points : normals).push_back(p);
-    } else if (key == "vt") {
-      words >> uvs.emplace_back()[0] >> uvs.back()[1];
-    } else if (key == "f") {
-      ++faces;
-      std::array<std::size_t, 3> corner{};
-      for (std::size_t& c : corner) {
-        std::string text;
-        words >> text;
-        c = std::stoul(text) - 1;
-        EXPECT_EQ(text, std::to_string(c + 1) + "/" + std::to_string(c + 1) + "/" +
-                            std::to_string(c + 1));
-      }
-      const Point n = cross(minus(points.at(corner[1]), points.at(corner[0])),
-                            minus(points.at(corner[2]), points.at(corner[0])));
-      EXPECT_GT(n[2], 0) << "counter-clockwise from above";
-      area += n[2] / 2;
-    }
-  }
-  EXPECT_EQ(faces, 32);
-  EXPECT_NEAR(area, 32 * 32, 1e-3);
-  ASSERT_EQ(uvs.size(), points.size());
-  ASSERT_EQ(normals.size(), points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    // The plane's uv runs over its 32 × 32 units.
-    EXPECT_NEAR(uvs[i][0], points[i][0] / 32 + 0.5, 1e-6);
-    EXPECT_NEAR(uvs[i][1], points[i][1] / 32 + 0.5, 1e-6);
-    EXPECT_NEAR(normals[i][2], 1, 1e-6);
   }
 }
 
