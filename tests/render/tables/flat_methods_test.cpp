@@ -29,63 +29,6 @@ using test::RenderScene;
 using test::shareShadowed;
 using test::stepRelief;
 
-class WallShadow : public testing::TestWithParam<std::pair<double, double>> {};
-
-/// As the truth's own test: a wall 6 high whose top ends at x = 31.5, now through bake and shader.
-TEST_P(WallShadow, IsAsLongAsTheTangentOfTheLightSays) {
-  const auto [azimuth, elevation] = GetParam();
-  const GlContext gl;
-  // 72 azimuths: the light's is one of them, so that nothing is interpolated between directions.
-  const RenderScene scene(test::wallPlane(), test::wallRelief(), {72, 60},
-                          horizon::TableBits::thirtyTwo);
-  constexpr int side = 48;  // samples a face, 6 a texel
-  const RenderView view = atlasView(scene.surface, side);
-  const Vec3 light = lightToward(180 + azimuth, elevation);
-  const Mask mask = scene.test("max-forsyth", view, light);
-  const int row = view.height / 2;
-  double end = 0;
-  for (int column = 0; column < view.width; ++column) {
-    const auto i = static_cast<std::size_t>(row * view.width + column);
-    if (mask.samples[i] == Shade::shadowed) end = (column + 1) * 96.0 / view.width;
-  }
-  const double length = 6 / std::tan(radians(elevation)) * std::cos(radians(azimuth));
-  // The horizon's slope is interpolated between texel centres: H / x is convex, so its chord lies
-  // above it and the shadow is too long, by at most 1 / (4 x) texels at distance x.
-  const double tolerance = 96.0 / view.width + 1 / (4 * length);
-  EXPECT_NEAR(end, 31.5 + length, tolerance);
-}
-
-INSTANTIATE_TEST_SUITE_P(Lights, WallShadow,
-                         testing::Values(std::pair{0.0, 60.0}, std::pair{0.0, 45.0},
-                                         std::pair{0.0, 20.0}, std::pair{0.0, 13.0},
-                                         std::pair{25.0, 45.0}, std::pair{-40.0, 30.0},
-                                         std::pair{30.0, 15.0}));
-
-TEST(PublishedMethods, AreIdenticalOnAPlane) {
-  const GlContext gl;
-  const RenderScene scene(surface::makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {32, 64},
-                          horizon::TableBits::eight);
-  const RenderView view = atlasView(scene.surface, 32);
-  for (const double elevation : {60.0, 40.0, 25.0, 10.0}) {
-    const Vec3 light = lightToward(20, elevation);
-    const Mask flat = scene.test("max-forsyth", view, light);
-    EXPECT_EQ(difference(flat, scene.test("onoue-2004", view, light)), 0) << elevation;
-    EXPECT_GT(shareShadowed(flat), 0.01);
-    EXPECT_LT(shareShadowed(flat), 0.99);
-  }
-}
-
-TEST(PublishedMethods, DifferOnASphere) {
-  const GlContext gl;
-  const RenderScene scene(surface::makeSphere(60, 1, 1, 32, 32), randomRelief(64, 64, 4, 3),
-                          {32, 64}, horizon::TableBits::eight);
-  const RenderView view = atlasView(scene.surface, 8);
-  const Vec3 light = lightToward(20, 35);
-  EXPECT_GT(
-      difference(scene.test("max-forsyth", view, light), scene.test("onoue-2004", view, light)),
-      0.01);
-}
-
 /// Eq. (3): the tip of a pin of height h on a bare sphere is lit down to -arccos(R / (R + h)).
 TEST(PublishedMethods, CurvatureAwareTipOfAPinIsLitDownToTheSpheresHorizon) {
   const GlContext gl;
@@ -276,19 +219,6 @@ TEST(PublishedMethods, HardwareFilterChangesLittleButSomething) {
                                    scene.test("onoue-2004", view, light, TableFilter::hardware));
   EXPECT_GT(change, 0);
   EXPECT_LT(change, 0.01);
-}
-
-TEST(PublishedMethods, RoughReliefShadowsMoreAsTheLightSinks) {
-  const GlContext gl;
-  const RenderScene scene(surface::makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {32, 64},
-                          horizon::TableBits::eight);
-  const RenderView view = atlasView(scene.surface, 16);
-  double before = -1;
-  for (const double elevation : {80.0, 60.0, 40.0, 20.0, 10.0, 5.0}) {
-    const double now = shareShadowed(scene.test("max-forsyth", view, lightToward(20, elevation)));
-    EXPECT_GT(now, before);
-    before = now;
-  }
 }
 
 /// A bowl that opens upward: curvature below 0 everywhere, about -1/100.

@@ -27,7 +27,7 @@ struct Document {
 // ---- errors name file, line and key, what was found and what was expected
 
 /// A question to a document and what the answer's error holds.
-struct Refusal {
+struct TomlRefusal {
   const char* text;
   std::function<void(const TomlReader&)> ask;
   std::vector<std::string> words;
@@ -46,7 +46,7 @@ TEST(TomlReader, RefusalsNameFileLineAndKeyWhatWasFoundAndWhatWasExpected) {
   const auto choice = [](const TomlReader& reader) {
     (void)reader.choice("x", {"repeat", "clamp"});
   };
-  const Refusal refusals[] = {
+  const TomlRefusal refusals[] = {
       {"\n[relief]\nheight = \"tall\"\n",
        [](const TomlReader& reader) { (void)reader.table("relief").number("height", positive); },
        {"study.toml:3: relief.height: the string \"tall\" found, a number above 0 expected"}},
@@ -107,7 +107,7 @@ TEST(TomlReader, RefusalsNameFileLineAndKeyWhatWasFoundAndWhatWasExpected) {
       {"x = []\n",
        [](const TomlReader& reader) { (void)reader.optionalTables("x"); },
        {"at least one [[x]]"}}};
-  for (const Refusal& refusal : refusals) {
+  for (const TomlRefusal& refusal : refusals) {
     const Document document(refusal.text);
     const std::string said = messageOf<InputError>([&] { refusal.ask(document.reader); });
     for (const std::string& word : refusal.words) {
