@@ -15,16 +15,12 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gnomon RENAME cop
 install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gnomon)
 
 # What the program itself says of its commands and options.
-set(help_files ${PROJECT_BINARY_DIR}/gnomon.1 ${PROJECT_BINARY_DIR}/gnomon.bash)
-add_custom_command(OUTPUT ${help_files} DEPENDS gnomon
-  COMMAND gnomon list manual-page > ${PROJECT_BINARY_DIR}/gnomon.1
-  COMMAND gnomon list completion > ${PROJECT_BINARY_DIR}/gnomon.bash)
-add_custom_target(gnomon_help ALL DEPENDS ${help_files})
+add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/gnomon.1 DEPENDS gnomon
+  COMMAND gnomon list manual-page > ${PROJECT_BINARY_DIR}/gnomon.1)
+add_custom_target(gnomon_help ALL DEPENDS ${PROJECT_BINARY_DIR}/gnomon.1)
 # Everything that is installed, without tests.
 add_custom_target(gnomon_installed DEPENDS gnomon gnomon_api gnomon_openimageio gnomon_help)
 install(FILES ${PROJECT_BINARY_DIR}/gnomon.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES ${PROJECT_BINARY_DIR}/gnomon.bash
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gnomon)
 install(EXPORT Gnomon NAMESPACE gnomon:: FILE GnomonConfig.cmake DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/GnomonConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)

@@ -37,7 +37,6 @@ grep -q 'my-shadow.glsl' summary.md || { echo "FAILED: no shader in the summary"
 cd ..
 test -s /usr/share/man/man1/gnomon.1 || test -s /usr/share/man/man1/gnomon.1.gz
 test -s /usr/share/doc/gnomon/copyright
-test -s /usr/share/bash-completion/completions/gnomon
 
 # A checkout without the packages to build it, and without root: it says what is missing.
 cp /gnomon/gnomon /gnomon/packages.txt .

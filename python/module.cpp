@@ -3,7 +3,6 @@
 
 #include <gnomon/compare.h>
 #include <gnomon/horizon.h>
-#include <gnomon/stop_switch.h>
 #include <gnomon/study.h>
 #include <gnomon/truth.h>
 #include <pybind11/numpy.h>
@@ -88,28 +87,26 @@ auto interruptibly(const Work& work) {
   return std::move(*result);
 }
 
-gnomon::MaskView viewOf(const Array<std::uint8_t>& mask) {
-  return {static_cast<int>(mask.shape(1)), static_cast<int>(mask.shape(0)), spanOf(mask)};
-}
-
-gnomon::ShareView viewOf(const Array<float>& map) {
-  return {static_cast<int>(map.shape(1)), static_cast<int>(map.shape(0)), spanOf(map)};
+/// A map of masks or of shares.
+template <typename Map, typename T>
+Map mapOf(const Array<T>& array) {
+  return {static_cast<int>(array.shape(1)),
+          static_cast<int>(array.shape(0)),
+          {array.data(), array.data() + array.size()}};
 }
 
 gnomon::MaskFigures figuresOf(const py::array& candidate, const py::array& truth,
                               const gnomon::CompareOptions& options) {
   if (truth.dtype().kind() == 'f') {
-    const Array<float> answers(candidate);
-    const Array<float> expected(truth);
-    return interruptibly([&](const Stop&) {
-      return gnomon::compareShares(viewOf(answers), viewOf(expected), options);
-    });
+    const auto answers = mapOf<gnomon::ShareMap, float>(candidate);
+    const auto expected = mapOf<gnomon::ShareMap, float>(truth);
+    return interruptibly(
+        [&](const Stop&) { return gnomon::compareShares(answers, expected, options); });
   }
-  const Array<std::uint8_t> answers(candidate);
-  const Array<std::uint8_t> expected(truth);
-  return interruptibly([&](const Stop&) {
-    return gnomon::compareMasks(viewOf(answers), viewOf(expected), options);
-  });
+  const auto answers = mapOf<gnomon::MaskMap, std::uint8_t>(candidate);
+  const auto expected = mapOf<gnomon::MaskMap, std::uint8_t>(truth);
+  return interruptibly(
+      [&](const Stop&) { return gnomon::compareMasks(answers, expected, options); });
 }
 
 py::dict compare(const py::array& candidate, const py::array& truth,
@@ -138,12 +135,12 @@ py::dict compare(const py::array& candidate, const py::array& truth,
 }
 
 py::array_t<std::uint8_t> readMask(const std::filesystem::path& file) {
-  gnomon::MaskPixels mask = interruptibly([&](const Stop&) { return gnomon::readMask(file); });
+  gnomon::MaskMap mask = interruptibly([&](const Stop&) { return gnomon::readMask(file); });
   return arrayOf(std::move(mask.samples), {mask.height, mask.width});
 }
 
 py::array_t<float> readShares(const std::filesystem::path& file) {
-  gnomon::SharePixels map = interruptibly([&](const Stop&) { return gnomon::readShares(file); });
+  gnomon::ShareMap map = interruptibly([&](const Stop&) { return gnomon::readShares(file); });
   return arrayOf(std::move(map.shares), {map.height, map.width});
 }
 

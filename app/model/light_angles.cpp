@@ -8,9 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "common/degrees.h"
 #include "common/error.h"
-#include "study/spec/sections/light_name.h"
 
 namespace gnomon::app {
 namespace {
@@ -41,15 +39,6 @@ bool isClosed(const LightPath& path) {
 }
 
 }  // namespace
-
-LightAngles lightAngles(const study::LightSpec& light) {
-  return {degreesOf(light.azimuth), degreesOf(light.elevation), degreesOf(light.radius)};
-}
-
-study::LightSpec lightSpec(const LightAngles& angles) {
-  return {study::lightName(angles.azimuth, angles.elevation, angles.radius),
-          radians(angles.azimuth), radians(angles.elevation), radians(angles.radius)};
-}
 
 LightAngles dragged(const LightAngles& angles, double azimuthChange, double elevationChange) {
   const double azimuth = rounded(angles.azimuth + azimuthChange);

@@ -317,10 +317,7 @@ def trace(
     if np.ndim(light_radius) == 0:
         radii = [arguments.number(light_radius, "light_radius", "degrees")] * len(vectors)
     else:
-        found = arguments.numbers(light_radius, "light_radius", (None,), "(lights,)")
-        if len(found) != len(vectors):
-            arguments.refuse("light_radius", found, f"one for each of {len(vectors)} lights")
-        radii = found.tolist()
+        radii = arguments.numbers(light_radius, "light_radius", (None,), "(lights,)").tolist()
     truths = _gnomon.trace(
         surface,
         arguments.numbers(heights, "heights", _MASK, "(rows, columns)", np.float32),

@@ -116,7 +116,7 @@ def test_compare_takes_masks_and_shares(soft):
         (-1, "light 0: radius: -1 found, .* at most 10 expected .degrees"),
         (10.5, "light 0: radius: 10.5 found"),
         (math.nan, "light 0: radius: nan found"),
-        ([0.1, 0.1], "light_radius: .* found, one for each of 1 lights expected"),
+        ([0.1, 0.1], "light radii: 2 found, one for each of 1 lights expected"),
         ("sun", "light_radius: 'sun' found, a number of degrees expected"),
         ([[1]], r"light_radius: shape \(1, 1\) found, \(lights,\) expected"),
     ],

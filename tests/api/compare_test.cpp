@@ -111,9 +111,14 @@ TEST(ApiCompare, DividesSharesAmongTheCells) {
 }
 
 TEST(ApiCompare, FindsSharesOfZeroAndOneAsItFindsMasks) {
-  const SharePixels mine = sharesOfMask({3, 2, judged});
-  const SharePixels truth = sharesOfMask({3, 2, right});
-  const MaskFigures soft = compareShares({3, 2, mine.shares}, {3, 2, truth.shares});
+  const auto sharesOf = [](const Samples& mask) {
+    ShareMap map{3, 2, {}};
+    for (const std::uint8_t sample : mask) {
+      map.shares.push_back(sample == 2 ? noShare : static_cast<float>(sample));
+    }
+    return map;
+  };
+  const MaskFigures soft = compareShares(sharesOf(judged), sharesOf(right));
   const MaskFigures hard = compareMasks({3, 2, judged}, {3, 2, right});
   for (const MaskMetric& metric : hard.metrics) {
     EXPECT_EQ(soft.value(metric.name), metric.value) << metric.name;
@@ -144,7 +149,7 @@ TEST(ApiCompare, SaysWhyAMetricIsUndefined) {
 
 TEST(ApiCompare, RefusesWhatIsNoMask) {
   const Samples bad = {0, 1, 3, 0, 0, 0};
-  const auto refusal = [](const MaskView& mask, const CompareOptions& options = {}) {
+  const auto refusal = [](const MaskMap& mask, const CompareOptions& options = {}) {
     return failureOf([&] { (void)compareMasks(mask, {3, 2, right}, options); });
   };
   EXPECT_THAT(refusal({3, 2, bad}), HasSubstr("candidate: 3 found at index 2"));

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "api/failure_of.h"
-#include "gnomon/stop_switch.h"
 
 namespace gnomon::test {
 namespace {

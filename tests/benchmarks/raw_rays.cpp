@@ -50,8 +50,9 @@ RawRays::RawRays(const truth::MicroMesh& mesh, const truth::PlacedSamples& place
   constexpr std::size_t lanes = 16;
   for (const std::size_t i : tileOrder(placed.width, placed.height)) {
     const truth::RayStart& start = placed.starts[i];
-    if (!start.defined || start.facet.facesAwayFrom(light.light)) continue;
-    add(count_++ % lanes, start.facet.rayOrigin(light.rayOffset * placed.extent), light.light);
+    if (!start.defined || start.facet.facesAwayFrom(light.light.direction)) continue;
+    add(count_++ % lanes, start.facet.rayOrigin(light.rayOffset * placed.extent),
+        light.light.direction);
     blocked_ += truth.mask.samples[i] == Shade::shadowed ? 1 : 0;
   }
 }

@@ -55,9 +55,7 @@ gnomon::truth::MicroMeshSettings perTexel(double steps) {
 }
 
 TraceSettings lightAt(double azimuth, double elevation) {
-  const double a = gnomon::radians(azimuth);
-  const double e = gnomon::radians(elevation);
-  return {Vec3(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e))};
+  return {gnomon::makeLight({azimuth, elevation})};
 }
 
 /// Vertices a second where each is evaluated on its own, from some of them, one thread.

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <memory>
 
-#include "cli/help/completion.h"
 #include "cli/help/manual_page.h"
 
 namespace gnomon::cli {
@@ -50,28 +49,6 @@ TEST_F(Help, ManualPageHoldsTextAsText) {
   EXPECT_THAT(page, HasSubstr("Largest\n\\&.value \\e of it"));
   EXPECT_THAT(page, HasSubstr(".nf\nExample:\n  sundial measure a.txt\n\\&'quoted\n.fi\n"));
   EXPECT_THAT(page, Not(HasSubstr("\n.value")));
-}
-
-std::string completed(const std::string& script, const std::string& words, int word) {
-  const std::string file = ::testing::TempDir() + "/completion.bash";
-  {
-    std::ofstream stream(file);
-    stream << script << "COMP_WORDS=(" << words << "); COMP_CWORD=" << word
-           << "; _sundial; echo \"${COMPREPLY[*]}\"\n";
-  }
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(("bash " + file).c_str(), "r"), pclose);
-  std::array<char, 256> buffer{};
-  return {buffer.data(), std::fread(buffer.data(), 1, buffer.size(), pipe.get())};
-}
-
-TEST_F(Help, CompletionKnowsCommandsAndTheirOptions) {
-  const std::string script = bashCompletion(app);
-  EXPECT_EQ(completed(script, "sundial me", 1), "measure\n");
-  EXPECT_EQ(completed(script, "sundial --l", 1), "--loud\n");
-  EXPECT_EQ(completed(script, "sundial measure --m", 2), "--most\n");
-  EXPECT_EQ(completed(script, "sundial measure --x", 2), "\n");
-  EXPECT_EQ(completed(script, "sundial measure m", 2), "\n")
-      << "a file's name is bash's to complete";
 }
 
 }  // namespace

@@ -81,8 +81,7 @@ class PublishedClaims : public EndToEnd {
 /// Beyond the terminator both methods err alike where the light stands at 60°: no order is found.
 /// The control holds for all cases together. The flat horizon map is wrong half as often as no
 /// shadows at all, but elsewhere: in one view, under 30°, the interval of the difference holds 0.
-const std::vector<std::string> sphereVerdicts = {"held", "held", "held", "not distinguishable",
-                                                 "held"};
+const std::vector<std::string> sphereVerdicts = {"held", "held", "not distinguishable", "held"};
 
 TEST_F(PublishedClaims, HoldAtFullSizeWithATruthToATenthOfAPercent) {
   runSpheres();
@@ -119,15 +118,6 @@ TEST_F(PublishedClaims, FigureEightHasThePapersCounts) {
   EXPECT_EQ(displaced, 2);
   EXPECT_GT(json.at("cost").size(), 10U);
   EXPECT_EQ(verdicts("figure8"), (std::vector<std::string>{"held", "held", "held", "held"}));
-}
-
-TEST_F(PublishedClaims, AClaimAcrossStudiesNeedsBoth) {
-  const Outcome outcome = gnomon(runClaimed({GNOMON_SCENES "/sphere-columns.toml"},
-                                            {"--quick", "--set", "light.0.elevation=30"}));
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(verdicts("sphere-columns"),
-            (std::vector<std::string>{"held", "not evaluated", "held", "held", "held"}));
-  EXPECT_THAT(outcome.out, ::testing::HasSubstr("sphere-columns-flat"));
 }
 
 /// tp, fp, fn, tn of two masks.

@@ -18,25 +18,22 @@ using ::testing::Not;
 
 constexpr const char* heights = R"(
 [[claim]]
-text = "Shadows matter more the higher the relief"
+text = "Shadows matter"
 source = "a test"
 less = "max-forsyth"
 than = "unshadowed"
-gain_grows = true
 
 [sweep]
 key = "relief.height"
 values = [1, 2, 3, 4, 6]
 )";
 
-/// Speaks of the sweep, which another shard may have run.
 constexpr const char* otherClaim = R"(
 [[claim]]
-text = "More is gained here than over the sweep"
+text = "Shadows matter here"
 source = "a test"
 less = "max-forsyth"
 than = "unshadowed"
-gain_exceeds = "small"
 
 [[threshold]]
 max = 0.9
@@ -117,8 +114,8 @@ TEST_F(Shards, MergedInAnyOrderAreTheRunWithoutThem) {
 
 /// Without times every byte is the same.
 TEST_F(Shards, FiguresAloneAreTheSameToTheByte) {
-  runWhole({"--metrics-only", "--vary-radius"});
-  runThree({"--metrics-only", "--vary-radius"});
+  runWhole({"--metrics-only"});
+  runThree({"--metrics-only"});
   const Outcome outcome = merge({"s2", "s3", "s1"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::vector<std::string> files = filesBelow("whole");
@@ -134,17 +131,6 @@ TEST_F(Shards, MergeNeedsNoOpenGl) {
   const Outcome without = gnomon({"merge", "s1", "s2", "s3"},
                                  {"__EGL_VENDOR_LIBRARY_DIRS=/nowhere", "EGL_PLATFORM=none"});
   EXPECT_EQ(without.status, 0) << without.err;
-}
-
-TEST_F(Shards, RadiiThatAreVariedAreKept) {
-  const std::vector<std::string> options = {"--vary-radius", "--method",   "max-forsyth",
-                                            "--method",      "unshadowed", "--quick"};
-  runWhole(options);
-  runThree(options);
-  const Outcome outcome = merge({"s1", "s2", "s3"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  expectMerged();
-  EXPECT_FALSE(summary("small/3").at("differences").at(0).at("radius").is_null());
 }
 
 TEST_F(Shards, PartTheCasesAmongThem) {

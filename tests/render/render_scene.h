@@ -51,10 +51,8 @@ class RenderScene {
 
   /// @param radius  of the light's disc, radians
   [[nodiscard]] render::Drawing drawing(const Vec3& light, double radius = 0) const {
-    render::Drawing drawn{gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, frame, light,
-                          nullptr,  &texture};
-    drawn.lightRadius = radius;
-    return drawn;
+    return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, frame, {light, radius},
+            nullptr,  &texture};
   }
 
   /// The drawn answer.
@@ -97,7 +95,7 @@ class RenderScene {
     std::vector<render::MethodAnswers> found;
     withInputs(method, parameters, [&](render::Drawing drawn, const render::GpuTables& gpu) {
       for (const Vec3& light : lights) {
-        drawn.light = light;
+        drawn.light.direction = light;
         found.push_back(pass.render(view, drawn, gpu));
       }
     });
@@ -114,8 +112,8 @@ class RenderScene {
                                   render::TableFilter::exact, parameters, soft);
     render::VisibilityAnswers found;
     withInputs(method, parameters, [&](render::Drawing drawn, const render::GpuTables& gpu) {
-      drawn.light = light;
-      drawn.lightRadius = radius;
+      drawn.light.direction = light;
+      drawn.light.radius = radius;
       found = pass.renderVisibility(view, drawn, gpu);
     });
     return found;
@@ -253,12 +251,12 @@ class DisplacedScene {
     const render::MethodPass pass(render::shaderFolder(), read, relief.field.wrap(),
                                   render::TableFilter::exact, parameters);
     render::Drawing drawn = drawing(light);
-    drawn.lightRadius = radius;
+    drawn.light.radius = radius;
     return pass.renderVisibility(view, drawn, {});
   }
 
   [[nodiscard]] render::Drawing drawing(const Vec3& light) const {
-    return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, 1, light, &gpuVolumes_};
+    return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, 1, {light}, &gpuVolumes_};
   }
 
   [[nodiscard]] Mask answer(const std::string& method, const render::RenderView& view,

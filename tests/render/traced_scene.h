@@ -18,7 +18,7 @@ struct TracedScene {
 
   [[nodiscard]] Mask mask(const surface::LimitSurface& surface, const relief::Relief& relief,
                           const surface::SampleGrid& samples, const Vec3& light) const {
-    return truth::traceShadows(surface, relief, mesh, scene, samples, truth::TraceSettings{light})
+    return truth::traceShadows(surface, relief, mesh, scene, samples, truth::TraceSettings{{light}})
         .mask;
   }
 };

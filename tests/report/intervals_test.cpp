@@ -215,7 +215,7 @@ TEST(ConfidenceJson, HoldsEveryFigure) {
   EXPECT_EQ(json["differences"][0].dump(),
             R"({"view":"camera","light":"all","first":"rough, \"old\"","second":"close",)"
             R"("difference":0.088,"low":0.07,"high":0.11,"reason":null,"uncertainty":0.003,)"
-            R"("verdict":"worse","radius":null})");
+            R"("verdict":"worse"})");
   EXPECT_EQ(json["differences"][2]["high"], nullptr);
   EXPECT_EQ(json["differences"][2]["reason"], "too few differ");
   EXPECT_EQ(json["differences"][2]["verdict"], "no interval");

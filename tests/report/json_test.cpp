@@ -160,19 +160,6 @@ TEST(SummaryJson, AReferenceThatFailsFailsTheRun) {
   EXPECT_EQ(written(record)["status"], "not judged");
 }
 
-TEST(SummaryJson, ARefinementIsThereWithAllItsLevels) {
-  study::StudyRecord record = sampleRecord();
-  record.truth.wantedUncertainty = 0.001;
-  record.truth.refinement = {{1, 61'440, std::nullopt}, {0.5, 245'760, 0.0124}};
-  const ordered_json truth = written(record)["truth"];
-  EXPECT_EQ(truth["wanted_uncertainty"], 0.001);
-  ASSERT_EQ(truth["refinement"].size(), 2U);
-  EXPECT_EQ(keysOf(truth["refinement"][1]), (Keys{"step_texels", "micro_triangles", "flip_rate"}));
-  EXPECT_TRUE(truth["refinement"][0]["flip_rate"].is_null());
-  EXPECT_EQ(truth["refinement"][1]["flip_rate"], 0.0124);
-  EXPECT_EQ(truth["refinement"][1]["micro_triangles"], 245'760);
-}
-
 TEST(SummaryJson, UndefinedIsNullWithAReason) {
   const ordered_json json = written(sampleRecord());
   const ordered_json& lit = json["results"][1];

@@ -402,8 +402,6 @@ TEST_F(ReportHtml, EveryWordOfAHeadingIsPlainOrLeadsToItsMeaning) {
   test::addDifferences(record, 1e-6);
   record.confidence = {{"best", "camera", "all", 0.01, {}, "", 9, 4},
                        {"close", "camera", "all", 0.012, {}, "", 9, 4}};
-  record.truth.wantedUncertainty = 0.01;
-  record.truth.refinement = {{0.5, 1000, {}}};
   record.reproduction.inputs = {{study::InputRecord::Kind::study, "a.toml", "00"}};
   const std::string html = reportText(record, folder_);
   const std::vector<std::string> plain = {"",      "Method", "View",    "Light", "Metric", "Value",

@@ -137,7 +137,7 @@ TEST_F(SuiteFiles, AreWrittenForASuiteOnly) {
   for (const char* name :
        {"suite.csv", "suite.md", "suite.html", "suite.json", "plots/suite-errors.svg",
         "plots/suite-wins.pdf", "plots/suite-bins.svg", "suite-table.tex", "suite-table-page.tex",
-        "suite-numbers.tex", "figures/page/suite-errors.pdf", "figures/page/suite-errors.pgf"}) {
+        "suite-numbers.tex", "figures/page/suite-errors.pdf"}) {
     EXPECT_TRUE(folder.names(name)) << name;
     EXPECT_GT(std::filesystem::file_size(folder.path() / name), 100U) << name;
   }

@@ -176,7 +176,6 @@ TEST(SweepJson, HoldsTheSweep) {
   EXPECT_EQ(json["study"]["name"], "bumps");
   EXPECT_EQ(json["environment"]["gl_renderer"], "A rasteriser");
   EXPECT_EQ(json["keys"][0]["key"], "surface.curvature");
-  EXPECT_EQ(json["keys"][0]["drawn"], false);
   EXPECT_EQ(json["steps"][0]["values"][0], 0.5);
   EXPECT_EQ(json["steps"][1]["case"], 2);
   EXPECT_EQ(json["steps"][1]["name"], "0.25");

@@ -70,8 +70,7 @@ inline void expectSame(const study::StudySpec& a, const study::StudySpec& b) {
   ASSERT_EQ(a.lights.size(), b.lights.size());
   for (std::size_t k = 0; k < a.lights.size(); ++k) {
     EXPECT_EQ(a.lights[k].name, b.lights[k].name);
-    EXPECT_EQ(a.lights[k].azimuth, b.lights[k].azimuth);
-    EXPECT_EQ(a.lights[k].elevation, b.lights[k].elevation);
+    EXPECT_EQ(a.lights[k].angles, b.lights[k].angles);
     EXPECT_EQ(a.lights[k].radius, b.lights[k].radius);
   }
   ASSERT_EQ(a.methods.size(), b.methods.size());

@@ -113,9 +113,9 @@ TEST(DiscDirections, APointLightHasOneAndAZenithAny) {
 
 TEST(DiscDirections, TheLowestIsTheCentreARadiusLower) {
   const Vec3 centre = lightToward(200, 20);
-  EXPECT_NEAR(glm::length(lowestOfDisc(centre, radians(3)) - lightToward(200, 17)), 0, 1e-15);
-  EXPECT_EQ(lowestOfDisc(centre, 0), centre);
-  EXPECT_NEAR(lowestOfDisc(Vec3(0, 0, 1), 0.1).z, std::cos(0.1), 1e-15);
+  EXPECT_NEAR(glm::length(lowestOfDisc({centre, radians(3)}) - lightToward(200, 17)), 0, 1e-15);
+  EXPECT_EQ(lowestOfDisc({centre}), centre);
+  EXPECT_NEAR(lowestOfDisc({Vec3(0, 0, 1), 0.1}).z, std::cos(0.1), 1e-15);
 }
 
 /// A surface with its relief, ready to be traced.
@@ -123,11 +123,11 @@ struct DiscScene : test::MicroSurface {
   using MicroSurface::MicroSurface;
 
   [[nodiscard]] Mask hard(const surface::SampleGrid& samples, const Vec3& light) const {
-    return traceShadows(surface, relief, mesh, scene, samples, TraceSettings{light}).mask;
+    return traceShadows(surface, relief, mesh, scene, samples, TraceSettings{{light}}).mask;
   }
   [[nodiscard]] Visibility trace(const surface::SampleGrid& samples,
                                  const DiscSettings& settings) const {
-    return traceVisibility(mesh, scene, samples, hard(samples, settings.light), settings);
+    return traceVisibility(mesh, scene, samples, hard(samples, settings.light.direction), settings);
   }
 };
 
@@ -201,7 +201,7 @@ TEST(VisibilityTracer, ASlantedEdgeIsRightToTheDirectionsOwnError) {
   for (const int count : {256, 1024}) {
     const double rho = radians(3);
     const Vec3 light = lightToward(180 + 35, 25);
-    DiscSettings settings{light, rho};
+    DiscSettings settings{{light, rho}};
     settings.directions = count;
     const Visibility found = scene.trace(samples, settings);
     Errors errors;
@@ -315,7 +315,7 @@ TEST(VisibilityTracer, SettledSamplesMissLittle) {
     const BumpyPlane plane(spacing);
     for (const double degrees : {0.266, 1.0, 5.0}) {
       for (const double elevation : {8.0, 30.0}) {
-        DiscSettings settings{lightToward(30, elevation), radians(degrees)};
+        DiscSettings settings{{lightToward(30, elevation), radians(degrees)}};
         const Visibility adaptive = plane.scene.trace(plane.samples, settings);
         settings.isAdaptive = false;
         const Visibility all = plane.scene.trace(plane.samples, settings);
@@ -340,7 +340,7 @@ TEST(VisibilityTracer, SettledSamplesMissLittle) {
 
 TEST(VisibilityTracer, DoesNotDependOnTheNumberOfThreads) {
   const BumpyPlane plane;
-  const DiscSettings settings{lightToward(30, 20), radians(1)};
+  const DiscSettings settings{{lightToward(30, 20), radians(1)}};
   const Visibility many = plane.scene.trace(plane.samples, settings);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_EQ(plane.scene.trace(plane.samples, settings).shares, many.shares);

@@ -401,7 +401,7 @@ TEST(ClosedCage, SamplesWithoutAFrameAreUndefinedAndCounted) {
   constexpr int side = 8;
   const surface::SampleGrid samples = samplesOfAllFaces(surface, side);
   const Truth truth =
-      traceShadows(surface, relief, mesh, scene, samples, TraceSettings{lightToward(20, 30)});
+      traceShadows(surface, relief, mesh, scene, samples, TraceSettings{{lightToward(20, 30)}});
   std::size_t undefined = 0;
   for (std::size_t i = 0; i < samples.samples.size(); ++i) {
     const surface::SurfaceSample& sample = samples.samples[i];

@@ -36,7 +36,7 @@ struct DividedScene : test::MicroSurface {
 
   [[nodiscard]] Truth trace(const surface::SampleGrid& samples, const Vec3& light,
                             double radiusTexels = 1000) const {
-    const TraceSettings ray{light};
+    const TraceSettings ray{{light}};
     const Truth undivided = traceShadows(surface, relief, mesh, scene, samples, ray);
     const CastShadowSettings settings{radiusTexels, parts};
     const auto divided = [&](const PlacedSamples* placed) {
@@ -286,7 +286,7 @@ TEST(FirstOccluder, IsThereExactlyWhereTheTruthIsDark) {
   for (const double elevation : {60.0, 20.0}) {
     const Vec3 light = lightToward(35, elevation);
     const Truth truth =
-        traceShadows(on.surface, on.relief, on.mesh, on.scene, samples, TraceSettings{light});
+        traceShadows(on.surface, on.relief, on.mesh, on.scene, samples, TraceSettings{{light}});
     std::size_t dark = 0;
     for (std::size_t i = 0; i < samples.samples.size(); ++i) {
       const auto occluder = on.first(samples.samples[i], light);

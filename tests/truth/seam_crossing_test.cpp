@@ -194,7 +194,7 @@ TEST(SeamCrossings, ArePathsFromTheSampleToWhatDecides) {
         {12 + static_cast<int>(x / 8), static_cast<float>(x / 8 - std::floor(x / 8)), 0.4F});
   }
   samples.width = static_cast<int>(places.size());
-  const std::array lights = {TraceSettings{light}, TraceSettings{lightToward(180, 70)}};
+  const std::array lights = {TraceSettings{{light}}, TraceSettings{{lightToward(180, 70)}}};
   const auto truths = traceShadows(surface, scaled, mesh, scene, samples, lights);
   const auto both =
       seamCrossings(surface, scaled, mesh, scene, charts, samples, truths, lights, 14);

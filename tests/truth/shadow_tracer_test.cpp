@@ -158,8 +158,8 @@ TEST(ShadowTracer, DegenerateFramesAreLeftOutAndCounted) {
   for (const Shade shade : truth.mask.samples) EXPECT_EQ(shade, Shade::none);
 
   // Once, however many lights there are, and whether or not their places are kept.
-  const std::array lights = {TraceSettings{lightToward(30, 20)},
-                             TraceSettings{lightToward(200, 55)}};
+  const std::array lights = {TraceSettings{{lightToward(30, 20)}},
+                             TraceSettings{{lightToward(200, 55)}}};
   for (const Truth& each :
        traceShadows(scene.surface, scene.relief, scene.mesh, scene.scene, samples, lights)) {
     EXPECT_EQ(each.undefinedSamples, samples.samples.size());
@@ -192,9 +192,9 @@ struct RoughTorus {
 
 TEST(ShadowTracer, SeveralLightsAtOnceAreEachLightAlone) {
   const RoughTorus torus;
-  const std::array lights = {TraceSettings{lightToward(30, 20)},
-                             TraceSettings{lightToward(200, 55)},
-                             TraceSettings{lightToward(-80, 5)}};
+  const std::array lights = {TraceSettings{{lightToward(30, 20)}},
+                             TraceSettings{{lightToward(200, 55)}},
+                             TraceSettings{{lightToward(-80, 5)}}};
   const TruthScene& s = torus.scene;
   const auto together = traceShadows(s.surface, s.relief, s.mesh, s.scene, torus.samples, lights);
   ASSERT_EQ(together.size(), lights.size());
@@ -218,7 +218,7 @@ surface::SampleGrid rowsOf(const surface::SampleGrid& grid, int first, int count
 
 TEST(ShadowTracer, PlacedSamplesAndPartsOfThemGiveTheSame) {
   const RoughTorus torus;
-  const TraceSettings light{lightToward(30, 20)};
+  const TraceSettings light{{lightToward(30, 20)}};
   const TruthScene& s = torus.scene;
   const Truth whole = traceShadows(s.surface, s.relief, s.mesh, s.scene, torus.samples, light);
   const Truth placed = traceShadows(s.scene, torus.placed(torus.samples), light);
@@ -242,7 +242,7 @@ TEST(ShadowTracer, AThrowingProgressCancelsEveryStage) {
   const RoughTorus torus;
   const TruthScene& s = torus.scene;
   const Vec2 texels = s.relief.texelsPerUv();
-  const TraceSettings light{lightToward(30, 20)};
+  const TraceSettings light{{lightToward(30, 20)}};
   const Progress cancel = [](double) { throw Cancelled(); };
   EXPECT_THROW(MicroMesh(s.surface, s.relief, {0.5, 0}, cancel), Cancelled);
   EXPECT_THROW(MicroScene(s.mesh, cancel), Cancelled);
@@ -259,7 +259,7 @@ TEST(ShadowTracer, ProgressRisesToOne) {
     EXPECT_GT(share, last);
     last = share;
   };
-  const TraceSettings light{lightToward(30, 20)};
+  const TraceSettings light{{lightToward(30, 20)}};
   (void)traceShadows(torus.scene.scene, torus.placed(torus.samples), light, progress);
   EXPECT_EQ(last, 1);
 }
@@ -314,7 +314,7 @@ TEST_P(ShearedTruth, WallsShadowEndsWhereTheMetricSays) {
                                     {plane.sampleAt({31.5 + length - 0.05, 15.7}),
                                      plane.sampleAt({31.5 + length + 0.05, 15.7})}};
         const Truth truth = traceShadows(surface, relief, mesh, scene, samples,
-                                         TraceSettings{plane.lightOver(a, e)});
+                                         TraceSettings{{plane.lightOver(a, e)}});
         EXPECT_EQ(truth.mask.samples[0], Shade::shadowed)
             << plane.px.x << " " << plane.py.x << " azimuth " << azimuth << " " << elevation;
         EXPECT_EQ(truth.mask.samples[1], Shade::lit)
@@ -348,7 +348,7 @@ TEST_P(ShearedTruth, RadiusIsInTexelsAlongTheLight) {
     ASSERT_LT(met, 11);
     for (const auto& [radius, region] :
          {std::pair{reach + 0.02, Region::cast}, {reach - 0.02, Region::distant}}) {
-      const TraceSettings light{plane.lightOver(a, e)};
+      const TraceSettings light{{plane.lightOver(a, e)}};
       Truth truth = traceShadows(surface, relief, mesh, scene, samples, light);
       splitCastShadows(surface, relief, mesh, scene, paths, {radius}, samples, {&light, 1},
                        {&truth, 1});

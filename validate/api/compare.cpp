@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "api/inner/mask_bytes.h"
+#include "api/inner/conversions.h"
 #include "api/inner/translated.h"
 #include "common/error.h"
 #include "common/mask.h"
@@ -31,7 +31,7 @@ void requireWhole(int width, int height, std::size_t samples, const char* what) 
       fmt::format("{}: {} samples found, {} × {} expected", what, samples, width, height));
 }
 
-Mask maskOf(const MaskView& view, const char* what) {
+Mask maskOf(const MaskMap& view, const char* what) {
   Mask mask{view.width, view.height, {}};
   requireWhole(view.width, view.height, view.samples.size(), what);
   mask.samples.reserve(view.samples.size());
@@ -47,13 +47,9 @@ Mask maskOf(const MaskView& view, const char* what) {
 }
 
 /// Shares of another size or range are refused where they are compared.
-Visibility mapOf(const ShareView& view, const char* what) {
-  requireWhole(view.width, view.height, view.shares.size(), what);
-  return {view.width, view.height, {view.shares.begin(), view.shares.end()}};
-}
-
-SharePixels pixelsOf(Visibility map) {
-  return {map.width, map.height, std::move(map.shares)};
+Visibility mapOf(const ShareMap& map, const char* what) {
+  requireWhole(map.width, map.height, map.shares.size(), what);
+  return {map.width, map.height, map.shares};
 }
 
 /// A region as a mask that is lit where samples count.
@@ -116,10 +112,10 @@ std::optional<double> MaskFigures::value(std::string_view metric) const {
   return found->value;
 }
 
-MaskPixels readMask(const std::filesystem::path& file) {
+MaskMap readMask(const std::filesystem::path& file) {
   return translated([&] {
     const Mask mask = image::readMaskPicture(file).mask;
-    MaskPixels pixels{mask.width, mask.height, {}};
+    MaskMap pixels{mask.width, mask.height, {}};
     pixels.samples.reserve(mask.samples.size());
     for (const Shade shade : mask.samples) {
       pixels.samples.push_back(byteOf(shade));
@@ -128,15 +124,14 @@ MaskPixels readMask(const std::filesystem::path& file) {
   });
 }
 
-SharePixels readShares(const std::filesystem::path& file) {
-  return translated([&] { return pixelsOf(image::readSharePicture(file)); });
+ShareMap readShares(const std::filesystem::path& file) {
+  return translated([&] {
+    Visibility map = image::readSharePicture(file);
+    return ShareMap{map.width, map.height, std::move(map.shares)};
+  });
 }
 
-SharePixels sharesOfMask(const MaskView& mask) {
-  return translated([&] { return pixelsOf(asShares(maskOf(mask, "mask"))); });
-}
-
-MaskFigures compareMasks(const MaskView& candidate, const MaskView& truth,
+MaskFigures compareMasks(const MaskMap& candidate, const MaskMap& truth,
                          const CompareOptions& options) {
   return translated([&] {
     Mask right = maskOf(truth, "truth");
@@ -147,7 +142,7 @@ MaskFigures compareMasks(const MaskView& candidate, const MaskView& truth,
   });
 }
 
-MaskFigures compareShares(const ShareView& candidate, const ShareView& truth,
+MaskFigures compareShares(const ShareMap& candidate, const ShareMap& truth,
                           const CompareOptions& options) {
   return translated([&] {
     const Visibility right = mapOf(truth, "truth");

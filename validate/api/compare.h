@@ -15,44 +15,28 @@
 namespace gnomon {
 inline namespace api {
 
-/// A mask: 1 lit, 0 shadowed, 2 no answer; row by row. The samples stay the caller's. As in files,
-/// where white is lit, and as V of `ShareView`.
-struct MaskView {
+/// A mask: 1 lit, 0 shadowed, 2 no answer; row by row, row 0 at the top. As in files, where white
+/// is lit, and as V of `ShareMap`.
+struct MaskMap {
   int width = 0, height = 0;
-  std::span<const std::uint8_t> samples;  ///< width × height
-};
-
-/// A mask with its own samples.
-struct MaskPixels {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> samples;  ///< as in MaskView; row 0 at the top
+  std::vector<std::uint8_t> samples;  ///< width × height
 };
 
 /// V, the share of a light's disc that each sample sees: 0 none of it, 1 all of it, NaN no answer;
-/// row by row. The shares stay the caller's.
-struct ShareView {
+/// row by row, row 0 at the top.
+struct ShareMap {
   int width = 0, height = 0;
-  std::span<const float> shares;  ///< width × height
-};
-
-/// A map of shares of its own.
-struct SharePixels {
-  int width = 0, height = 0;
-  std::vector<float> shares;  ///< as in ShareView; row 0 at the top
+  std::vector<float> shares;  ///< width × height
 };
 
 /// Reads a picture of a mask as Gnomon writes it: white lit, black shadowed, mid-grey no answer.
 /// @throws Exception  badInput naming the file, for any other value too
-GNOMON_API MaskPixels readMask(const std::filesystem::path& file);
+GNOMON_API MaskMap readMask(const std::filesystem::path& file);
 
 /// Reads a picture of shares: values from 0 to 1 are V, alpha 0 or Gnomon's grey no answer. A mask
 /// is one of zeros and ones.
 /// @throws Exception  badInput naming the file, for any other value too
-GNOMON_API SharePixels readShares(const std::filesystem::path& file);
-
-/// A mask's answers as shares: 1 where lit, 0 where shadowed, NaN where it has none.
-/// @throws Exception  badInput for a sample that is not 0, 1 or 2
-GNOMON_API SharePixels sharesOfMask(const MaskView& mask);
+GNOMON_API ShareMap readShares(const std::filesystem::path& file);
 
 /// Which samples count, and how much.
 struct CompareOptions {
@@ -95,14 +79,14 @@ struct MaskFigures {
 /// figures are those of `gnomon compare`.
 /// @throws Exception  badInput where sizes differ, a sample is not 0, 1 or 2, a weight is negative
 ///   or not finite, nothing is left to compare, or the candidate lacks an answer that counts
-GNOMON_API MaskFigures compareMasks(const MaskView& candidate, const MaskView& truth,
+GNOMON_API MaskFigures compareMasks(const MaskMap& candidate, const MaskMap& truth,
                                     const CompareOptions& options = {});
 
 /// The same of shares under a light with a disc. Each sample is divided among the four cells, see
 /// docs/metrics.md: error_rate is the mean of |V - V_truth|. Boundaries are those of both maps cut
 /// at V < 0.5. After them come mae, rmse, off_by_more_than_0.1, umbra_iou and penumbra_iou.
 /// @throws Exception  badInput as `compareMasks`, and for a share that is not 0 to 1 or NaN
-GNOMON_API MaskFigures compareShares(const ShareView& candidate, const ShareView& truth,
+GNOMON_API MaskFigures compareShares(const ShareMap& candidate, const ShareMap& truth,
                                      const CompareOptions& options = {});
 
 }  // namespace api

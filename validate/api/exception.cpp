@@ -5,7 +5,6 @@
 #include "api/inner/translated.h"
 #include "cli/failure.h"
 #include "common/cancellation.h"
-#include "gnomon/stop_switch.h"
 
 namespace gnomon {
 inline namespace api {

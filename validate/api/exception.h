@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -28,6 +30,26 @@ class GNOMON_API Exception : public std::runtime_error {
 
  private:
   FailureKind kind_;
+};
+
+/// Lets another thread end calls of the library, those too that report no progress.
+class GNOMON_API StopSwitch {
+ public:
+  StopSwitch();
+  ~StopSwitch();
+  StopSwitch(const StopSwitch&) = delete;
+  StopSwitch& operator=(const StopSwitch&) = delete;
+
+  /// Does work that calls the library, on this thread and once.
+  /// @throws Exception  stopped, where `stop` ended it; else what the work throws
+  void run(const std::function<void()>& work);
+  /// Ends the calls that the work makes, within a fraction of a second. From any thread, at any
+  /// time.
+  void stop();
+
+ private:
+  struct Inner;
+  std::unique_ptr<Inner> inner_;
 };
 
 }  // namespace api

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "api/inner/height_field_of.h"
+#include "api/inner/conversions.h"
 #include "api/inner/translated.h"
 #include "common/error.h"
 #include "horizon/horizon_bake.h"
@@ -15,8 +15,7 @@ inline namespace api {
 
 relief::HeightField heightFieldOf(const HeightMap& map) {
   relief::HeightField field(map.width, map.height, {map.texels.begin(), map.texels.end()},
-                            map.repeats ? relief::Wrap::repeat : relief::Wrap::clamp,
-                            {map.endsInX, map.endsInY});
+                            map.repeats ? relief::Wrap::repeat : relief::Wrap::clamp);
   if (const auto fault = study::heightsFault(field)) throw InputError(*fault);
   return field;
 }

@@ -16,8 +16,6 @@ struct HeightMap {
   int width = 0, height = 0;      ///< texels, at least 1
   std::span<const float> texels;  ///< heights from -1e6 to 1e6
   bool repeats = true;            ///< outside the map; otherwise the outermost texels go on
-  /// The surface ends where the map does, in x or in y: nothing beyond it casts a shadow.
-  bool endsInX = false, endsInY = false;
 };
 
 /// Horizons of a flat height map. With the unit vector e of azimuth φ_m = 2πm/M, counter-clockwise

@@ -60,8 +60,7 @@ RunResult run(const cli::RunRequest& request) {
   records.folders.claim(plans.front(), request.out);
   records.folders.clear(request.out);
   cli::MeasuredCases cases(gl, request, *cache, cli::caseCount(plans));
-  const cli::PlanRecords part = cli::runPlan(plans.front(), cases, request, *cache, records);
-  (void)cli::finishPlan(part, request, *cache, records);
+  (void)cli::runPlan(plans.front(), cases, request, *cache, records);
   std::vector<std::string> failures = failuresOf(records.all);
   return {request.out / plans.front().name / "summary.json", failures.empty(), std::move(failures)};
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "api/inner/surface_data.h"
+#include "api/inner/conversions.h"
 #include "api/inner/translated.h"
 #include "common/camera.h"
 #include "common/error.h"

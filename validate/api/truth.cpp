@@ -6,9 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "api/inner/height_field_of.h"
-#include "api/inner/mask_bytes.h"
-#include "api/inner/surface_data.h"
+#include "api/inner/conversions.h"
 #include "api/inner/translated.h"
 #include "common/error.h"
 #include "common/progress.h"
@@ -81,37 +79,37 @@ surface::SampleGrid gridOf(const SurfaceSamples& samples, int faces) {
   return grid;
 }
 
-std::vector<Vec3> unitVectors(const std::vector<std::array<double, 3>>& lights) {
-  std::vector<Vec3> directions;
-  for (const auto& light : lights) {
-    const Vec3 direction(light[0], light[1], light[2]);
+/// Gives the lights their discs.
+void addDiscs(std::vector<Light>& lights, const TraceOptions& options) {
+  if (options.lightRadii.empty()) return;
+  if (options.lightRadii.size() != lights.size()) {
+    throw InputError(fmt::format("light radii: {} found, one for each of {} lights expected",
+                                 options.lightRadii.size(), lights.size()));
+  }
+  study::LightSection section;
+  const study::StudyKeys key = keyOf(study::keysOf(section), "radius");
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    study::readValues(toml::table{{"radius", options.lightRadii[i]}}, fmt::format("light {}", i),
+                      key);
+    lights[i].radius = radians(options.lightRadii[i]);
+  }
+}
+
+std::vector<Light> lightsOf(const std::vector<std::array<double, 3>>& vectors,
+                            const TraceOptions& options) {
+  std::vector<Light> lights;
+  for (const auto& [x, y, z] : vectors) {
+    const Vec3 direction(x, y, z);
     const double length = glm::length(direction);
     if (!(length > 0 && std::isfinite(length))) {
       throw InputError(fmt::format("light {}: [{}, {}, {}] found, a direction expected",
-                                   directions.size(), light[0], light[1], light[2]));
+                                   lights.size(), x, y, z));
     }
-    directions.push_back(direction / length);
+    lights.push_back({direction / length});
   }
-  if (directions.empty()) throw InputError("lights: none found, at least one expected");
-  return directions;
-}
-
-/// The radius of each light's disc, radians.
-std::vector<double> discsOf(const TraceOptions& options, std::size_t lights) {
-  std::vector<double> discs(lights, 0.0);
-  if (options.lightRadii.empty()) return discs;
-  if (options.lightRadii.size() != lights) {
-    throw InputError(fmt::format("light radii: {} found, one for each of {} lights expected",
-                                 options.lightRadii.size(), lights));
-  }
-  study::LightSection light;
-  const study::StudyKeys key = keyOf(study::keysOf(light), "radius");
-  for (std::size_t i = 0; i < lights; ++i) {
-    study::readValues(toml::table{{"radius", options.lightRadii[i]}}, fmt::format("light {}", i),
-                      key);
-    discs[i] = radians(options.lightRadii[i]);
-  }
-  return discs;
+  if (lights.empty()) throw InputError("lights: none found, at least one expected");
+  addDiscs(lights, options);
+  return lights;
 }
 
 /// The settings of the truth, of which the step and the directions are the caller's.
@@ -140,7 +138,6 @@ struct Task {
   relief::Relief relief;
   surface::SampleGrid samples;
   std::vector<truth::TraceSettings> lights;
-  std::vector<double> discs;  ///< one a light
   int directions;
   std::optional<double> radiusTexels;  ///< D; none where no region is asked for
 };
@@ -169,13 +166,12 @@ Traced trace(const Task& task, const truth::MicroMeshSettings& settings, const P
   }
   const auto lights = static_cast<double>(task.lights.size());
   for (std::size_t i = 0; i < task.lights.size(); ++i) {
-    if (task.discs[i] == 0) continue;
     const auto& [light, rayOffset] = task.lights[i];
+    if (!light.isSoft()) continue;
     const double done = 0.7 + 0.3 * static_cast<double>(i) / lights;
-    traced.truths[i].answerBy(
-        truth::traceVisibility(mesh, scene, task.samples, traced.truths[i].mask,
-                               {light, task.discs[i], task.directions, rayOffset},
-                               partOf(progress, done, done + 0.3 / lights)));
+    traced.truths[i].answerBy(truth::traceVisibility(
+        mesh, scene, task.samples, traced.truths[i].mask, {light, task.directions, rayOffset},
+        partOf(progress, done, done + 0.3 / lights)));
   }
   return traced;
 }
@@ -221,23 +217,21 @@ std::vector<ShadowTruth> traceTruth(const Surface& surface, const Displacement& 
   return watched(options.progress, [&](const auto& tell) {
     const Progress progress = tell;
     const Surface::Data& data = surface.data();
-    const std::vector<Vec3> directions = unitVectors(lights);
+    const std::vector<Light> asked = lightsOf(lights, options);
     const study::TruthSpec settings = settingsOf(options);
-    Task task{
-        data.limit, reliefOf(data, displacement),        gridOf(samples, data.limit.faceCount()),
-        {},         discsOf(options, directions.size()), settings.directions,
-        {}};
+    Task task{data.limit, reliefOf(data, displacement), gridOf(samples, data.limit.faceCount()),
+              {},         settings.directions,          {}};
     std::vector<Vec3> lowest;
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-      lowest.push_back(truth::lowestOfDisc(directions[i], task.discs[i]));
+    for (const Light& light : asked) {
+      lowest.push_back(truth::lowestOfDisc(light));
+      task.lights.push_back({light});
     }
     task.radiusTexels = radiusOf(options, data.limit, task.relief, lowest);
-    for (const Vec3& direction : directions) task.lights.push_back({direction});
     const Traced fine = trace(task, settings.ofMesh(), partOf(progress, 0, 0.8));
     const std::vector<truth::Truth> coarse =
         traceCoarser(std::move(task), fine, partOf(progress, 0.8, 1));
     std::vector<ShadowTruth> truths;
-    for (std::size_t i = 0; i < directions.size(); ++i) {
+    for (std::size_t i = 0; i < asked.size(); ++i) {
       truths.push_back(shadowTruthOf(fine.truths[i], coarse[i]));
     }
     return truths;

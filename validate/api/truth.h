@@ -49,13 +49,13 @@ struct TraceOptions {
 /// The exact shadow of a displaced surface under one light.
 struct ShadowTruth {
   int width = 0, height = 0;
-  /// As in MaskView: 1 lit, 0 shadowed, 2 no answer. Of a disc: shadowed where V < 1/2.
+  /// As in MaskMap: 1 lit, 0 shadowed, 2 no answer. Of a disc: shadowed where V < 1/2.
   std::vector<std::uint8_t> mask;
   std::vector<std::uint8_t> regions;  ///< a ShadowRegion for each sample; of the disc's centre
   /// Share of the samples that change at half the mesh's resolution: no difference between methods
   /// below it means anything. Of a disc the mean of |ΔV|, with half as many directions too.
   double uncertainty = 0;
-  /// As in ShareView: V, the share of the disc that each sample sees. Empty of a point light.
+  /// As in ShareMap: V, the share of the disc that each sample sees. Empty of a point light.
   std::vector<float> shares = {};
 };
 

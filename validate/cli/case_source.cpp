@@ -5,7 +5,6 @@
 #include "cli/study_plans.h"
 #include "common/parallel.h"
 #include "report/folder_writer.h"
-#include "study/judge/radius_check.h"
 #include "study/run/method_trial.h"
 #include "study/run/run_study.h"
 
@@ -18,7 +17,7 @@ study::StudyRecord MeasuredCases::shown(const study::StudySpec& study, const Wor
   if (!progress) {
     progress = [this](std::string_view stage, double share) { line_.update(stage, share); };
   }
-  store_.expectCases(isStep(study) || request_.varyRadius);
+  store_.expectCases(isStep(study));
   study::StudyRecord record = inStudy(study, [&] { return work(progress); });
   line_.clear();
   return record;
@@ -41,14 +40,6 @@ study::StudyRecord MeasuredCases::measureFigures(const study::StudySpec& study) 
   line_.beginCase(study.name);
   return shown(study, [&](const study::StageProgress& progress) {
     return study::runStudyFigures(study, gl_, cache_, store_, progress);
-  });
-}
-
-study::StudyRecord MeasuredCases::measureAt(const study::StudySpec& study, double radiusFactor) {
-  line_.setTitle(fmt::format("{}, radius × {}", study.name, radiusFactor));
-  return shown(study, [&](const study::StageProgress& progress) {
-    return study::measureStudy(study::withRadiusTimes(study, radiusFactor), gl_, cache_, store_,
-                               progress);
   });
 }
 

@@ -30,8 +30,6 @@ class CaseSource {
   virtual study::StudyRecord measure(const study::StudySpec& study, report::RunFolder& folder) = 0;
   /// The figures alone, without pictures and frame times.
   virtual study::StudyRecord measureFigures(const study::StudySpec& study) = 0;
-  /// The figures alone, at half or at twice the search radius.
-  virtual study::StudyRecord measureAt(const study::StudySpec& study, double radiusFactor) = 0;
   /// Writes a case's report: perhaps while the next case is measured.
   /// @param write  what it refers to stays until the reports are finished
   virtual void report(const std::function<void()>& write) { write(); }
@@ -52,7 +50,6 @@ class MeasuredCases final : public CaseSource {
   void prepare(const study::StudySpec& study) override;
   study::StudyRecord measure(const study::StudySpec& study, report::RunFolder& folder) override;
   study::StudyRecord measureFigures(const study::StudySpec& study) override;
-  study::StudyRecord measureAt(const study::StudySpec& study, double radiusFactor) override;
   void report(const std::function<void()>& write) override;
   void finishReports() override { reports_.finish(); }
 

@@ -25,7 +25,6 @@
 #include "cli/commands/suite_command.h"
 #include "cli/commands/view_command.h"
 #include "cli/failure.h"
-#include "cli/help/completion.h"
 #include "cli/help/manual_page.h"
 #include "cli/junit_file.h"
 #include "cli/list_option.h"
@@ -135,9 +134,6 @@ void addRunOptions(CLI::App& command, RunRequest& request) {
           "Measure another shader, a method's name or a GLSL file, under the label and the "
           "thresholds of METHOD",
           "METHOD=SHADER");
-  command.add_flag("--vary-radius", request.varyRadius,
-                   "Also judge claims and verdicts at half and at twice the search radius, and "
-                   "mark those that change");
   CLI::Option* figures = addPaperOptions(command, request.paper);
   command
       .add_flag("--metrics-only", request.metricsOnly,
@@ -186,9 +182,7 @@ void addCheckOptions(CLI::App& command, CheckRequest& request) {
 
 ExitStatus list(const CLI::App& app, const std::string& what) {
   if (!what.empty()) {
-    printText(what == "keys"          ? study::studyKeysText()
-              : what == "manual-page" ? manualPage(app, GNOMON_VERSION)
-                                      : bashCompletion(app));
+    printText(what == "keys" ? study::studyKeysText() : manualPage(app, GNOMON_VERSION));
     return ExitStatus::pass;
   }
   printLine("Methods ([[method]] name):");
@@ -362,8 +356,8 @@ std::string suggestion(const CLI::App& app) {
   listed
       ->add_option("WHAT", what,
                    "In their place `keys`: every key of a study, as Markdown; `manual-page`: "
-                   "gnomon(1); `completion`: a script for bash")
-      ->check(CLI::IsMember({"keys", "manual-page", "completion"}))
+                   "gnomon(1)")
+      ->check(CLI::IsMember({"keys", "manual-page"}))
       ->type_name("WHAT");
   InitRequest initRequest;
   CLI::App* init = addInitCommand(app, initRequest);

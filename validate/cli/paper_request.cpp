@@ -19,7 +19,7 @@ CLI::Option* addPaperOptions(CLI::App& command, report::PaperOptions& options) {
   CLI::Option* figures =
       command
           .add_option("--figures", options.widths,
-                      "Also write figures for a paper, as PDF and PGF: as wide as a column, 84 mm, "
+                      "Also write figures for a paper, as PDF: as wide as a column, 84 mm, "
                       "or a page, 178 mm; of a page its table too. May be repeated")
           ->transform(CLI::CheckedTransformer(widths).description(""))
           ->expected(1)

@@ -20,7 +20,6 @@
 #include "report/tables/means_table.h"
 #include "report/tables/ranked_table.h"
 #include "study/judge/claims.h"
-#include "study/judge/radius_check.h"
 #include "study/judge/sweep_result.h"
 #include "study/spec/mask_files.h"
 #include "study/spec/resolved_study.h"
@@ -35,15 +34,14 @@ void writeCopy(const toml::table& study, report::RunFolder& folder, const std::s
 }
 
 /// The command that gives figures again, from their own folder: it does not tell where that is.
-std::string figuresCommand(const study::StudyPlan& plan, const RunRequest& request) {
-  return fmt::format("gnomon run {} --metrics-only{}", shellQuoted(study::studyCopyName(plan.name)),
-                     request.varyRadius ? " --vary-radius" : "");
+std::string figuresCommand(const study::StudyPlan& plan) {
+  return fmt::format("gnomon run {} --metrics-only", shellQuoted(study::studyCopyName(plan.name)));
 }
 
 /// The command that runs a step again: its own copy, as the file's study has all values.
 std::string commandOf(const study::StudyPlan& plan, const study::StudySpec& step,
                       const RunRequest& request) {
-  if (request.metricsOnly) return figuresCommand(plan, request);
+  if (request.metricsOnly) return figuresCommand(plan);
   if (!plan.sweep) return request.command;
   const fs::path copy = request.out / step.name / study::studyCopyName(step.name);
   return "gnomon run " + shellQuoted(copy.string());
@@ -86,24 +84,7 @@ void measureStep(const study::StudyPlan& plan, const study::StudySpec& step, Cas
   study::StudyRecord record =
       request.metricsOnly ? runFigures(plan, step, cases, request, records.folders)
                           : runOne(plan, step, cases, request, records.folders.of(step.name));
-  if (request.varyRadius) {
-    study::StudyRecord half = cases.measureAt(step, 0.5);
-    records.twice.push_back(cases.measureAt(step, 2));
-    records.half.push_back(std::move(half));
-  }
   records.all.push_back(std::move(record));
-}
-
-/// Judges a study's claims by what the run holds so far.
-void judgeRecord(const study::StudySpec& study, Records& records, std::size_t own,
-                 const RunRequest& request) {
-  study::StudyRecord& record = records.all[own];
-  record.claims = study::judgeClaims(study.claims, records.all, own);
-  if (request.varyRadius) {
-    records.half[own].claims = study::judgeClaims(study.claims, records.half, own);
-    records.twice[own].claims = study::judgeClaims(study.claims, records.twice, own);
-    study::keepRadiusChecks(record, records.half[own], records.twice[own]);
-  }
 }
 
 void writeReports(const study::StudyRecord& record, report::RunFolder& folder,
@@ -115,7 +96,7 @@ void writeReports(const study::StudyRecord& record, report::RunFolder& folder,
 /// Judges a study's claims and writes its reports.
 void report(const study::StudySpec& study, Records& records, std::size_t own,
             const RunRequest& request, cache::Cache& cache) {
-  judgeRecord(study, records, own, request);
+  records.all[own].claims = study::judgeClaims(study.claims, records.all[own]);
   // The figures of a step are told by its sweep.
   const std::string& name = records.all[own].name;
   if (!records.folders.holds(name)) return;
@@ -125,7 +106,7 @@ void report(const study::StudySpec& study, Records& records, std::size_t own,
 /// The same, the reports perhaps while the next step is measured, of a copy.
 void reportBeside(const study::StudySpec& study, Records& records, std::size_t own,
                   const RunRequest& request, cache::Cache& cache, CaseSource& cases) {
-  judgeRecord(study, records, own, request);
+  records.all[own].claims = study::judgeClaims(study.claims, records.all[own]);
   const std::string& name = records.all[own].name;
   if (!records.folders.holds(name)) return;
   cases.report([record = records.all[own], &folder = records.folders.of(name), &request, &cache] {
@@ -151,24 +132,14 @@ class ReportsOfPlan {
   CaseSource& cases_;
 };
 
-/// Whether a claim of the study needs the record of another one, which may be run later.
-bool speaksOfOthers(const study::StudySpec& study) {
-  return std::any_of(study.claims.begin(), study.claims.end(),
-                     [](const study::ClaimSpec& claim) { return !claim.gainExceeds.empty(); });
-}
-
 study::SweepRecord sweepOf(const PlanRecords& part, const Records& records,
                            const RunRequest& request) {
-  const auto made = [&](const std::vector<study::StudyRecord>& steps) {
-    const auto begin = steps.begin() + static_cast<std::ptrdiff_t>(part.first);
-    const auto count = static_cast<std::ptrdiff_t>(part.plan->steps.size());
-    return study::makeSweepRecord(
-        *part.plan, std::vector<study::StudyRecord>(begin, begin + count),
-        request.metricsOnly ? figuresCommand(*part.plan, request) : request.command);
-  };
-  study::SweepRecord sweep = made(records.all);
+  const auto begin = records.all.begin() + static_cast<std::ptrdiff_t>(part.first);
+  const auto count = static_cast<std::ptrdiff_t>(part.plan->steps.size());
+  study::SweepRecord sweep =
+      study::makeSweepRecord(*part.plan, std::vector<study::StudyRecord>(begin, begin + count),
+                             request.metricsOnly ? figuresCommand(*part.plan) : request.command);
   sweep.hasStepReports = !request.metricsOnly;
-  if (request.varyRadius) study::keepRadiusChecks(sweep, made(records.half), made(records.twice));
   return sweep;
 }
 
@@ -178,14 +149,6 @@ void writeSweep(const PlanRecords& part, Records& records, const RunRequest& req
   const study::SweepRecord sweep = sweepOf(part, records, request);
   if (request.metricsOnly) return report::writeFigureFiles(sweep, folder);
   report::writeSweepFiles(sweep, request.paper, folder, cache);
-}
-
-/// Forgets all records but the first of each kind.
-void keepFirst(Records& records, std::size_t count) {
-  for (std::vector<study::StudyRecord>* list : {&records.all, &records.half, &records.twice}) {
-    if (list->size() > count)
-      list->erase(list->begin() + static_cast<std::ptrdiff_t>(count), list->end());
-  }
 }
 
 /// @throws InputError naming the first mask of another program that is missing
@@ -243,7 +206,8 @@ PlanRecords runPlan(const study::StudyPlan& plan, CaseSource& cases, const RunRe
     runSteps(part, cases, request, cache, records, judge);
   } catch (...) {
     // Nothing may speak of a study of which a part is missing.
-    keepFirst(records, part.first);
+    records.all.erase(records.all.begin() + static_cast<std::ptrdiff_t>(part.first),
+                      records.all.end());
     throw;
   }
   return part;
@@ -259,9 +223,8 @@ void reportPlan(const PlanRecords& part, const RunRequest& request, cache::Cache
   writeSweep(part, records, request, cache);
 }
 
-study::StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request,
-                             cache::Cache& cache, Records& records) {
-  if (speaksOfOthers(part.plan->steps.front())) reportPlan(part, request, cache, records);
+study::StudyMeans meansOf(const PlanRecords& part, const RunRequest& request,
+                          const Records& records) {
   return part.plan->sweep ? study::studyMeans(sweepOf(part, records, request))
                           : study::studyMeans(records.all[part.first]);
 }

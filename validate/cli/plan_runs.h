@@ -16,11 +16,10 @@
 
 namespace gnomon::cli {
 
-/// The records of all steps of all plans of a command, one after the other; where the radius is
-/// varied, those at half and at twice of it in the same order; and the folders that they are
-/// written to.
+/// The records of all steps of all plans of a command, one after the other, and the folders that
+/// they are written to.
 struct Records {
-  std::vector<study::StudyRecord> all, half, twice;
+  std::vector<study::StudyRecord> all;
   RunFolders folders;
 };
 
@@ -41,9 +40,8 @@ void requirePlots();
 using StepJudge = std::function<void(study::StudyRecord&)>;
 
 /// Runs all steps of a plan, adds their records and writes its folder with its reports, and the
-/// study itself, so that it can be run again from there. With `varyRadius` every step is measured
-/// at half and at twice its radius too, and its claims and differences say what becomes of them
-/// there. Where it fails, no record of the plan stays.
+/// study itself, so that it can be run again from there. Where it fails, no record of the plan
+/// stays.
 /// @param cache    what earlier runs left, and what this one leaves
 /// @param records  its folders have been claimed and cleared
 PlanRecords runPlan(const study::StudyPlan& plan, CaseSource& cases, const RunRequest& request,
@@ -59,10 +57,9 @@ void runStep(const study::StudyPlan& plan, const study::StudySpec& step, CaseSou
 void reportPlan(const PlanRecords& part, const RunRequest& request, cache::Cache& cache,
                 Records& records);
 
-/// Judges again what speaks of other studies, now that all have run, and writes that anew.
-/// @return what the plan gives to the ranking
-study::StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request,
-                             cache::Cache& cache, Records& records);
+/// What the plan gives to the ranking.
+study::StudyMeans meansOf(const PlanRecords& part, const RunRequest& request,
+                          const Records& records);
 
 /// Prints a plan's table and where its report is.
 void printPlan(const PlanRecords& part, const RunRequest& request, const Records& records);

@@ -32,7 +32,7 @@ ExitStatus runPlans(const std::vector<study::StudyPlan>& plans, CaseSource& case
   std::vector<study::StudyMeans> ranked;
   for (const PlanRecords& part : whole) {
     failures.attempt([&] {
-      study::StudyMeans means = finishPlan(part, request, cache, records);
+      study::StudyMeans means = meansOf(part, request, records);
       printPlan(part, request, records);
       if (isRanked(*part.plan)) ranked.push_back(std::move(means));
     });

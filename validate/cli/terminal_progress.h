@@ -25,8 +25,6 @@ class TerminalProgress {
 
   /// The next case begins, under a title of its own.
   void beginCase(std::string title);
-  /// What the same case goes on with.
-  void setTitle(std::string title) { title_ = std::move(title); }
   void update(std::string_view stage, double share);
   void clear();
 

@@ -40,12 +40,11 @@ Mask maskOf(const truth::SeenSurface& seen, const std::vector<float>& light) {
 
 /// @param directions  toward the disc of a light that has one
 truth::Truth truthOf(const truth::SeenSurface& seen, const truth::MicroScene& scene,
-                     const study::LightSpec& light, int directions) {
+                     const Light& light, int directions) {
   truth::Truth found;
-  found.mask = maskOf(seen, truth::displacedPicture(seen, scene, light.direction()));
+  found.mask = maskOf(seen, truth::displacedPicture(seen, scene, light.direction));
   if (light.isSoft()) {
-    found.answerBy(truth::traceVisibility(seen, scene, found.mask,
-                                          {light.direction(), light.radius, directions}));
+    found.answerBy(truth::traceVisibility(seen, scene, found.mask, {light, directions}));
   }
   return found;
 }

@@ -106,8 +106,8 @@ void addMap(report::Json& json, const std::string& file) {
 }
 
 /// One light of the masks of a view.
-report::Json maskJson(const study::LightSpec& light, const std::string& maskFile,
-                      const std::string& shareFile, double uncertainty) {
+report::Json maskJson(const Light& light, const std::string& maskFile, const std::string& shareFile,
+                      double uncertainty) {
   report::Json json = {{"light", light.name},
                        {"truth", maskFile},
                        {"uncertainty", report::jsonNumber(uncertainty, "views.masks.uncertainty")}};
@@ -156,12 +156,12 @@ report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
   return json;
 }
 
-report::Json lightJson(const study::LightSpec& light) {
+report::Json lightJson(const Light& light) {
   report::Json json = {{"name", light.name},
-                       {"azimuth_degrees", degreesPerRadian * light.azimuth},
-                       {"elevation_degrees", degreesPerRadian * light.elevation},
-                       {"direction", vectorJson(light.direction())}};
-  if (light.isSoft()) json["radius_degrees"] = degreesPerRadian * light.radius;
+                       {"azimuth_degrees", light.angles.azimuth},
+                       {"elevation_degrees", light.angles.elevation},
+                       {"direction", vectorJson(light.direction)}};
+  if (light.isSoft()) json["radius_degrees"] = light.angles.radius;
   return json;
 }
 

@@ -65,8 +65,8 @@ void splitCastShadows(const surface::LimitSurface& surface, const relief::Relief
           placed != nullptr ? Placed{placed->starts[i], placed->axes[i]} : placedBy(placer, sample);
       for (std::size_t l = 0; l < lights.size(); ++l) {
         if (!isCast(truths[l])) continue;
-        const auto& [light, rayOffset] = lights[l];
-        const Vec3 origin = from.start.facet.rayOrigin(mesh.rayOffset(rayOffset));
+        const Vec3& light = lights[l].light.direction;
+        const Vec3 origin = from.start.facet.rayOrigin(mesh.rayOffset(lights[l].rayOffset));
         const auto hit = scene.nearest(origin, light);
         if (!hit) continue;  // a ray that grazes an edge
         if (!parts.empty()) {

@@ -83,7 +83,8 @@ std::vector<Vec3> discDirections(const Vec3& centre, double radius, std::span<co
   return directions;
 }
 
-Vec3 lowestOfDisc(const Vec3& centre, double radius) {
+Vec3 lowestOfDisc(const Light& light) {
+  const auto& [centre, radius, name, angles] = light;
   if (radius == 0) return centre;
   return std::cos(radius) * centre - std::sin(radius) * axesOf(centre).upward;
 }

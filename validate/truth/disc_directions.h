@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "common/light.h"
 #include "common/vec.h"
 
 namespace gnomon::truth {
@@ -36,8 +37,9 @@ std::vector<Vec2> discRim(int count);
 /// @returns unit vectors, in the points' order
 std::vector<Vec3> discDirections(const Vec3& centre, double radius, std::span<const Vec2> points);
 
-/// The unit vector toward the lowest point of a disc over the xy plane: the centre turned by ρ in
-/// its vertical plane, in any one if it is on the z axis. The centre itself, to the bit, for ρ = 0.
-Vec3 lowestOfDisc(const Vec3& centre, double radius);
+/// The unit vector toward the lowest point of a light's disc over the xy plane: the centre turned
+/// by ρ in its vertical plane, in any one if it is on the z axis. Of a point its direction, to the
+/// bit.
+Vec3 lowestOfDisc(const Light& light);
 
 }  // namespace gnomon::truth

@@ -136,7 +136,7 @@ std::vector<std::vector<std::uint8_t>> seamCrossings(
                            (relief.field.maximum() - relief.field.at(place.frame.texel));
       world = local.slope > 0 ? below / local.slope : std::numeric_limits<double>::infinity();
     } else if (const auto hit = scene.nearest(
-                   place.facet.rayOrigin(mesh.rayOffset(light.rayOffset)), light.light)) {
+                   place.facet.rayOrigin(mesh.rayOffset(light.rayOffset)), light.light.direction)) {
       world = hit->distance / std::hypot(1.0, local.slope);
     }
     return std::min(radiusTexels, world / local.worldPerTexel);
@@ -149,8 +149,9 @@ std::vector<std::vector<std::uint8_t>> seamCrossings(
       const SamplePlace place = placer.place(samples.samples[i]);
       if (!place.defined) continue;
       for (std::size_t l = 0; l < lights.size(); ++l) {
-        if (place.facet.facesAwayFrom(lights[l].light)) continue;
-        const surface::LocalLight local = surface::localLight(place.frame, lights[l].light);
+        if (place.facet.facesAwayFrom(lights[l].light.direction)) continue;
+        const surface::LocalLight local =
+            surface::localLight(place.frame, lights[l].light.direction);
         const bool lit = truths[l].mask.samples[i] == Shade::lit;
         const double length = pathTexels(place, lit, local, lights[l]);
         crosses[l][i] = charts.crossesSeam(place.sample, local.direction, length) ? 1 : 0;

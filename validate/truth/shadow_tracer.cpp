@@ -55,8 +55,8 @@ class BandTracer {
   void begin(std::size_t i) {
     const RayStart& start = band_.starts[i];
     if (!start.defined) return;  // stays Shade::none
-    const bool beyond = glm::dot(start.normal, settings_.light) <= 0;
-    const bool turned = start.facet.facesAwayFrom(settings_.light);
+    const bool beyond = glm::dot(start.normal, settings_.light.direction) <= 0;
+    const bool turned = start.facet.facesAwayFrom(settings_.light.direction);
     region(i) = beyond ? Region::beyondTerminator : turned ? Region::attached : Region::lit;
     shade(i) = turned ? Shade::shadowed : Shade::lit;
     if (turned) return;
@@ -67,7 +67,7 @@ class BandTracer {
 
   void traceWaiting() {
     if (rays_.count == 0) return;
-    const auto blocked = scene_.occluded(rays_, settings_.light);
+    const auto blocked = scene_.occluded(rays_, settings_.light.direction);
     for (std::size_t k = 0; k < rays_.count; ++k) {
       if (!blocked[k]) continue;
       const std::size_t i = samples_[k];

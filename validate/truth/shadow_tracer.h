@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "common/light.h"
 #include "common/mask.h"
 #include "common/progress.h"
 #include "common/visibility.h"
@@ -43,7 +44,7 @@ struct Truth {
 
 /// The shadow rays of one trace.
 struct TraceSettings {
-  Vec3 light{0, 0, 1};  ///< unit vector toward the directional light
+  Light light = {};
   /// How far over its facet a ray starts, as a share of the mesh's largest coordinate.
   double rayOffset = standardRayOffset;
 };

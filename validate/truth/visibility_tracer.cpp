@@ -87,10 +87,10 @@ class DiscTracer {
         isAdaptive_(settings.isAdaptive),
         begun_(hard.size(), Begun::nothing) {
     const std::vector<Vec3> rim =
-        discDirections(settings.light, settings.radius, discRim(rimDirections));
+        discDirections(settings.light.direction, settings.light.radius, discRim(rimDirections));
     for (const std::size_t k : {0, 1}) rims_[k] = everySecond(k, rim);
-    const std::vector<Vec3> all =
-        discDirections(settings.light, settings.radius, inPatches(discPoints(settings.directions)));
+    const std::vector<Vec3> all = discDirections(settings.light.direction, settings.light.radius,
+                                                 inPatches(discPoints(settings.directions)));
     for (const std::size_t k : {0, 1}) halves_[k] = everySecond(k, all);
   }
 

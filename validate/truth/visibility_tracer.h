@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "common/light.h"
 #include "common/mask.h"
 #include "common/progress.h"
 #include "common/visibility.h"
@@ -18,8 +19,7 @@ constexpr int rimDirections = 16;
 
 /// A light's disc and how it is traced.
 struct DiscSettings {
-  Vec3 light{0, 0, 1};   ///< unit vector toward the disc's centre
-  double radius = 0;     ///< ρ, radians, above 0
+  Light light = {};      ///< soft
   int directions = 256;  ///< N
   /// As in TraceSettings.
   double rayOffset = standardRayOffset;

@@ -179,13 +179,12 @@ void drawEntries(ImDrawList& list, ImVec2 at, const std::vector<Entry>& entries)
 }
 
 /// V at one sample by all of the study's directions.
-double shareAt(const TracedMesh& traced, const surface::SurfaceSample& sample,
-               const study::LightSpec& light, const study::StudySpec& study) {
+double shareAt(const TracedMesh& traced, const surface::SurfaceSample& sample, const Light& light,
+               const study::StudySpec& study) {
   constexpr bool isAdaptive = false;
   return static_cast<double>(
       truth::traceVisibility(traced.mesh, traced.scene, {1, 1, {sample}}, {1, 1, {Shade::lit}},
-                             {light.direction(), light.radius, study.truth.directions,
-                              truth::standardRayOffset, isAdaptive})
+                             {light, study.truth.directions, truth::standardRayOffset, isAdaptive})
           .shares.front());
 }
 
@@ -215,8 +214,8 @@ void SectionPanel::find(const ViewSession& session, const WindowLayout& layout, 
   if (key.face >= scene->surface->faceCount()) return;
   key_ = key;
   const surface::SurfaceSample sample{key.face, key.s, key.t};
-  const study::LightSpec spec = lightSpec(session.state().light);
-  const Vec3 light = spec.direction();
+  const Light spec = makeLight(session.state().light);
+  const Vec3 light = spec.direction;
   const double radius = scene->study->bake.settings.radiusTexels;
   std::optional<SectionTables> tables;
   for (const auto& [label, method] : scene->methods) {

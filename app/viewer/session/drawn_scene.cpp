@@ -195,21 +195,19 @@ const DrawnMeshData& DrawnScene::mesh(study::MeshChoice choice) const {
   return meshes_.at(data_->meshes.at(choice));
 }
 
-render::Drawing DrawnScene::drawing(study::MeshChoice choice, const study::LightSpec& light) const {
+render::Drawing DrawnScene::drawing(study::MeshChoice choice, const Light& light) const {
   const DrawnMeshData& drawn = mesh(choice);
-  render::Drawing drawing{drawn.gpu,
-                          heights_.at(data_->heights),
-                          data_->heights->wrap(),
-                          data_->study->relief.space,
-                          data_->texelsPerHeight,
-                          light.direction(),
-                          drawn.volumes ? &*drawn.volumes : nullptr,
-                          &drawn.texture};
-  drawing.lightRadius = light.radius;
-  return drawing;
+  return {drawn.gpu,
+          heights_.at(data_->heights),
+          data_->heights->wrap(),
+          data_->study->relief.space,
+          data_->texelsPerHeight,
+          light,
+          drawn.volumes ? &*drawn.volumes : nullptr,
+          &drawn.texture};
 }
 
-render::Drawing DrawnScene::drawing(const MethodData& method, const study::LightSpec& light) const {
+render::Drawing DrawnScene::drawing(const MethodData& method, const Light& light) const {
   render::Drawing drawn = drawing(method.mesh, light);
   if (method.lightMesh) drawn.lightMesh = &mesh(*method.lightMesh).gpu;
   return drawn;

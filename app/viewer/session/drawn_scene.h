@@ -44,11 +44,9 @@ class DrawnScene {
   [[nodiscard]] const SceneData* data() const { return data_.get(); }
   [[nodiscard]] std::shared_ptr<const SceneData> sharedData() const { return data_; }
   [[nodiscard]] const DrawnMeshData& mesh(study::MeshChoice choice) const;
-  [[nodiscard]] render::Drawing drawing(study::MeshChoice choice,
-                                        const study::LightSpec& light) const;
+  [[nodiscard]] render::Drawing drawing(study::MeshChoice choice, const Light& light) const;
   /// What the passes of a method draw.
-  [[nodiscard]] render::Drawing drawing(const MethodData& method,
-                                        const study::LightSpec& light) const;
+  [[nodiscard]] render::Drawing drawing(const MethodData& method, const Light& light) const;
 
   /// A method with its tables, if all of it is there.
   struct Ready {

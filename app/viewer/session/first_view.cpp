@@ -71,7 +71,7 @@ ViewState firstView(const OpenedStudy& opened) {
   const cli::ViewRequest& request = opened.request;
   ViewState state;
   state.camera = firstCamera(*opened.study);
-  state.light = lightAngles(opened.study->lights.front());
+  state.light = opened.study->lights.front().angles;
   const PaneSource first = methodSource(firstMethod(opened));
   state.panes = {PaneContent{first}, PaneContent{tracedTruth}, PaneContent{first, tracedTruth},
                  PaneContent{displacedSurface}};

@@ -120,7 +120,7 @@ const Answers* PanePictures::methodAnswers(const DrawnScene& scene, const ViewSt
   const study::MeshChoice mesh = ready->data->mesh;
   const render::RenderView view =
       render::cameraView(state.camera, scene.data()->meshes.at(mesh)->mesh());
-  const study::LightSpec light = lightSpec(state.light);
+  const Light light = makeLight(state.light);
   const render::Drawing drawing = scene.drawing(*ready->data, light);
   CachedAnswers& kept = answers_[label];
   kept = {serial, light.isSoft()
@@ -141,7 +141,7 @@ void PanePictures::shade(Pane& pane, const DrawnScene& scene, const ViewState& s
   }
   const render::ShadePass& pass =
       mesh.kind == render::DrawnMesh::displaced ? programs_->shadeDisplaced : programs_->shadeBase;
-  const render::Drawing drawing = scene.drawing(mesh, lightSpec(state.light));
+  const render::Drawing drawing = scene.drawing(mesh, makeLight(state.light));
   std::visit([&](const auto& map) { pass.draw(view, drawing, map, *pane.target); }, answers);
   if (const auto& lines = scene.data()->lines; lines && state.overlays.directions) {
     programs_->lines.draw(view, endsOf(lines->larger), {0.70F, 0.10F, 0.35F}, *pane.target);

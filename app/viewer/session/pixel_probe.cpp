@@ -61,7 +61,7 @@ truth::Region PixelProbe::regionOf(const ViewSession& session,
   const TracedMesh* traced = session.traced();
   if (traced == nullptr) return truth::Region::none;
   const relief::Relief& relief = scene.study->relief;
-  const truth::TraceSettings light{lightSpec(session.state().light).direction()};
+  const truth::TraceSettings light{makeLight(session.state().light)};
   const surface::SampleGrid one{1, 1, {sample}};
   truth::Truth truth =
       truth::traceShadows(*scene.surface, relief, traced->mesh, traced->scene, one, light);
@@ -98,7 +98,7 @@ std::vector<std::string> PixelProbe::linesOf(ViewSession& session, ViewPixel pix
     lines.push_back(fmt::format("region {}: {}", truth::regionName(region), meaningOf(region)));
   }
   const auto section = crossSection(*scene->surface, scene->study->relief, *sample,
-                                    lightSpec(session.state().light).direction(),
+                                    makeLight(session.state().light).direction,
                                     {scene->study->bake.settings.radiusTexels, 0});
   if (!section) return lines;
   lines.push_back(fmt::format("horizon {:.1f}° over the surface, light {:.1f}°",

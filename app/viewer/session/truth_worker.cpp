@@ -90,10 +90,9 @@ class GrowingTruth {
   [[nodiscard]] Visibility sharesOf(const surface::SampleGrid& samples, const Mask& hard,
                                     int directions, const TracedMesh& traced,
                                     const Progress& check) const {
-    return truth::traceVisibility(
-        traced.mesh, traced.scene, samples, hard,
-        {request_.light.direction(), request_.light.radius, directions, truth::standardRayOffset},
-        [&](double /*share*/) { check(truth_.share()); });
+    return truth::traceVisibility(traced.mesh, traced.scene, samples, hard,
+                                  {request_.light, directions, truth::standardRayOffset},
+                                  [&](double /*share*/) { check(truth_.share()); });
   }
 
   /// @param live  whether a disc is traced here, too
@@ -103,7 +102,7 @@ class GrowingTruth {
     const surface::SampleGrid grid = packedGrid(*truth_.samples, asked);
     const truth::Truth found =
         truth::traceShadows(*scene.surface, scene.study->relief, traced.mesh, traced.scene, grid,
-                            truth::TraceSettings{request_.light.direction()});
+                            truth::TraceSettings{request_.light});
     for (std::size_t i = 0; i < asked.size(); ++i) {
       hard_.samples[asked[i]] = found.mask.samples[i];
       if (!isSoft()) mark(asked[i]);
@@ -248,10 +247,10 @@ void TruthTracer::trace(const TruthRequest& request, const Worker::Job& job) {
       for (GrowingTruth& truth : truths) truth.trace(level, traced_, job);
       TruthResult result;
       if (level == 0 && request.curvature) {
-        result.curvature = curvaturePicture(scene, *request.curvature, request.light.direction());
+        result.curvature = curvaturePicture(scene, *request.curvature, request.light.direction);
       }
       if (request.picture) {
-        result.picture = seenSurface(*traced_, *request.picture, request.light.direction(), stride,
+        result.picture = seenSurface(*traced_, *request.picture, request.light.direction, stride,
                                      job.progress("Tracing the displaced surface"));
       }
       if (result.picture || result.curvature) publish(job, std::move(result));

@@ -52,7 +52,7 @@ struct AnglesRequest {
 
 struct TruthRequest {
   std::shared_ptr<const SceneData> scene;
-  study::LightSpec light;
+  Light light;
   std::vector<TruthView> views;   ///< whose truth is asked
   std::optional<Camera> picture;  ///< from where the displaced surface is looked at
   std::shared_ptr<const surface::SampleGrid> curvature;  ///< where the normal curvature is asked

@@ -65,7 +65,7 @@ study::StudyOptions ViewSession::shownOptions() const {
 void ViewSession::askForScene() {
   const std::vector<std::string> shown = shownMethods(state_);
   const study::StudyOptions options = shownOptions();
-  const bool isSoft = lightSpec(state_.light).isSoft();
+  const bool isSoft = makeLight(state_.light).isSoft();
   const std::string asked =
       fmt::format("{}\n{}\n{}\n{}\n{}", fmt::join(options.overrides, "\n"), fmt::join(shown, "\n"),
                   shaderVersion_, state_.overlays.directions, isSoft);
@@ -198,7 +198,7 @@ void ViewSession::askForTruth() {
     if (!whole) wanted.views.push_back({mesh, grid});
   }
   wanted.scene = scene_.sharedData();
-  wanted.light = lightSpec(state_.light);
+  wanted.light = makeLight(state_.light);
   if (wantsPicture && !pictureWhole_) wanted.picture = state_.camera;
   if (state_.overlays.curvature && !curvatureWhole_) wanted.curvature = grids_.at(standard);
   wanted.angles = missingAngles();

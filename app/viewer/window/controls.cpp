@@ -131,17 +131,17 @@ void cameraControls(ViewSession& session) {
 /// The light: one of the study's, or any direction and size.
 void lightControls(ViewSession& session) {
   LightAngles& light = session.state().light;
-  const std::vector<study::LightSpec>& lights = session.opened().lights;
+  const std::vector<Light>& lights = session.opened().lights;
   widgets::heading("Light, degrees");
   if (lights.size() > 1) {
     std::vector<std::string> names;
     std::optional<std::size_t> chosen;
-    for (const study::LightSpec& one : lights) {
-      if (lightAngles(one) == light) chosen = names.size();
+    for (const Light& one : lights) {
+      if (one.angles == light) chosen = names.size();
       names.push_back(one.name);
     }
     const auto pressed = widgets::list("light", names, chosen, "The lights of the study");
-    if (pressed) light = lightAngles(lights.at(*pressed));
+    if (pressed) light = lights.at(*pressed).angles;
   }
   widgets::slider("azimuth", light.azimuth, 0, 360, "%.1f",
                   "From where the light comes: 0 along x, 90 along y");

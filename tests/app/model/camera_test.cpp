@@ -92,24 +92,10 @@ TEST(Zoom, MultipliesTheDistanceWithinItsRange) {
   EXPECT_NEAR(elevationOf(zoomed(camera, 3, wide)), elevationOf(camera), 1e-12);
 }
 
-TEST(LightAngles, AreThoseOfTheLight) {
-  const study::LightSpec light{"evening", radians(165), radians(24)};
-  const study::LightSpec same = lightSpec(lightAngles(light));
-  EXPECT_EQ(same.azimuth, light.azimuth);
-  EXPECT_EQ(same.elevation, light.elevation);
-  EXPECT_EQ(same.name, "elevation 24° azimuth 165°");
-}
-
-TEST(LightAngles, KeepTheLightsDisc) {
-  for (const double degrees : {0.0, study::sunRadius, 0.007, 3.0, 9.999}) {
-    const study::LightSpec light{"", radians(165), radians(24), radians(degrees)};
-    const LightAngles angles = lightAngles(light);
-    EXPECT_EQ(angles.radius, degrees);
-    EXPECT_EQ(lightSpec(angles).radius, light.radius);
-    EXPECT_EQ(dragged(angles, 7, -3).radius, degrees);
+TEST(LightDrag, KeepsTheLightsDisc) {
+  for (const double degrees : {0.0, 0.266, 0.007, 3.0, 9.999}) {
+    EXPECT_EQ(dragged({165, 24, degrees}, 7, -3).radius, degrees);
   }
-  EXPECT_EQ(lightSpec({165, 24, study::sunRadius}).name,
-            "elevation 24° azimuth 165° radius 0.266°");
 }
 
 TEST(LightDrag, AndBackReturns) {

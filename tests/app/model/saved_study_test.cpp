@@ -100,16 +100,16 @@ TEST_F(SavedStudy, HoldsEveryChangeOfTheSliders) {
   ASSERT_EQ(saved.views.size(), 1U);
   EXPECT_TRUE(sameCamera(std::get<Camera>(saved.views[0].kind), camera));
   ASSERT_EQ(saved.lights.size(), 1U);
-  EXPECT_EQ(saved.lights[0].azimuth, radians(123.456));
-  EXPECT_EQ(saved.lights[0].elevation, radians(-3.2));
-  EXPECT_EQ(saved.lights[0].name, lightSpec(*state.light).name);
+  EXPECT_EQ(saved.lights[0].angles.azimuth, 123.456);
+  EXPECT_EQ(saved.lights[0].angles.elevation, -3.2);
+  EXPECT_EQ(saved.lights[0].name, makeLight(*state.light).name);
 
   // What is on the screen is what is saved.
   study::StudyOptions options = state.options;
   options.methods = state.methods;
   study::StudySpec shown = study::readStudy(state.file, options);
   shown.views = saved.views;
-  shown.lights = {lightSpec(*state.light)};
+  shown.lights = {makeLight(*state.light)};
   expectSame(shown, saved);
   EXPECT_FALSE(sameCage(saved.cage, study::readStudy(state.file).cage));
 }
@@ -119,14 +119,14 @@ TEST_F(SavedStudy, HoldsTheLightsRadius) {
   state.file = scenes / "soft/figure8-sun.toml";
   state.options.overrides = {"truth.directions=64"};
   study::StudySpec shown = study::readStudy(state.file, state.options);
-  ASSERT_EQ(lightAngles(shown.lights.front()).radius, study::sunRadius);
+  ASSERT_EQ(shown.lights.front().angles.radius, study::sunRadius);
   for (const double radius : {study::sunRadius, 3.001, study::largestLightRadius, 0.0}) {
     state.light = LightAngles{165, 20, radius};
     saveStudy(state, file("state.toml"));
     const study::StudySpec saved = study::readStudy(file("state.toml"));
-    EXPECT_EQ(lightAngles(saved.lights.at(0)), *state.light);
+    EXPECT_EQ(saved.lights.at(0).angles, *state.light);
     EXPECT_EQ(saved.lights.at(0).isSoft(), radius > 0);
-    shown.lights = {lightSpec(*state.light)};
+    shown.lights = {makeLight(*state.light)};
     expectSame(shown, saved);
   }
   state.methods = {"max-forsyth + disc"};

@@ -164,7 +164,7 @@ TEST_P(FrameCostsOf, MayCountTheFrameThatDrewTheAnswers) {
   camera.height = 32;
   const RenderView view = cameraView(camera, scene.mesh);
   scene.withInputs(method, {}, [&](Drawing drawing, const GpuTables& tables) {
-    drawing.light = test::lightToward(20, 30);
+    drawing.light.direction = test::lightToward(20, 30);
     EXPECT_FALSE(pass.isWarm(drawing));
     const MethodAnswers plain = pass.render(view, drawing, tables);
     EXPECT_TRUE(pass.isWarm(drawing));
@@ -218,9 +218,10 @@ TEST(FrameCosts, CountTexelsByWhatThePassesLeave) {
       return pass.frameCosts(view, drawing, tables, {1, 100}, drawnIn, FrameClock::wall, counter)
           .texels;
     };
-    drawing.light = Vec3(0, 0, 1);
+    drawing.light.direction = Vec3(0, 0, 1);
     (void)pass.render(view, drawing, tables);
-    drawing.light = test::lightToward(20, 30);  // what the memory still holds is wrong now
+    drawing.light.direction =
+        test::lightToward(20, 30);  // what the memory still holds is wrong now
     const double given = texels(1234.5);
     const double own = texels({});
     EXPECT_GE(own, 3);

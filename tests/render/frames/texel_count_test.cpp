@@ -29,8 +29,8 @@ double texelsOf(const RenderScene& scene, const Method& method, double radius = 
   const RenderView view = atlasView(scene.surface, 8);
   double texels = -1;
   scene.withInputs(method, parameters, [&](Drawing drawn, const GpuTables& gpu) {
-    drawn.light = lightToward(20, 30);
-    drawn.lightRadius = radius;
+    drawn.light.direction = lightToward(20, 30);
+    drawn.light.radius = radius;
     texels = pass.frameCosts(view, drawn, gpu, {1, 100}, {}, FrameClock::wall, counter).texels;
   });
   return texels;
@@ -184,7 +184,7 @@ TEST(HeldTargets, LeaveNothingForTheNextAnswer) {
                           held);
     MethodAnswers answers;
     scene.withInputs(method, {}, [&](Drawing drawn, const GpuTables& gpu) {
-      drawn.light = lightToward(20, 30);
+      drawn.light.direction = lightToward(20, 30);
       answers = pass.render(view, drawn, gpu);
     });
     return answers;

@@ -291,8 +291,8 @@ std::vector<std::size_t> endlessOf(const RenderScene& scene, const Method& metho
   const LoopCheck check(shaderFolder(), method, wrap, TableFilter::exact, parameters);
   std::vector<std::size_t> endless;
   scene.withInputs(method, parameters, [&](Drawing drawn, const GpuTables& gpu) {
-    drawn.light = lightToward(20, 30);
-    drawn.lightRadius = radius;
+    drawn.light.direction = lightToward(20, 30);
+    drawn.light.radius = radius;
     endless = pass.endlessSamples(atlasView(scene.surface, 8), drawn, gpu, check);
   });
   return endless;

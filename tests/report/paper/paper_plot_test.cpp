@@ -3,18 +3,11 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
-#include <regex>
-#include <set>
-
-#include "common/error.h"
-#include "report/paper/tikz_picture.h"
-
 namespace gnomon::report {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::StartsWith;
 
 PlotSheet sheet() {
   PlotSheet made;
@@ -85,38 +78,6 @@ TEST(PaperPdfs, AreOfTheirWidthAndTheSameBytes) {
   ::sleep(1);  // what a date would tell apart
   EXPECT_EQ(paperPdfs({figure(PaperWidth::page), figure()}).back(), pdf);
   EXPECT_TRUE(paperPdfs({}).empty());
-}
-
-TEST(PaperPgfs, StandByThemselves) {
-  const std::string picture = paperPgfs({figure()}).front();
-  EXPECT_THAT(picture, StartsWith("% \\usepackage{tikz} \\usetikzlibrary{plotmarks}\n"));
-  EXPECT_THAT(picture, HasSubstr("rectangle (8.400,"));
-  EXPECT_THAT(picture, HasSubstr("{a\\_b \\& 50 \\% \\{x\\} \\$y\\$};"));
-  EXPECT_THAT(picture, HasSubstr("{\\textbackslash{}input\\{x\\}};"));
-  EXPECT_THAT(picture, HasSubstr("{$-$2};"));
-  EXPECT_THAT(picture, Not(HasSubstr("GNUPLOT")));
-  EXPECT_TRUE(picture.ends_with("\\end{tikzpicture}%\n"));
-  // Every command and style of gnuplot's that it uses it also defines.
-  static const std::regex command(R"(\\gp[a-z]+)");
-  std::set<std::string> used;
-  for (std::sregex_iterator found(picture.begin(), picture.end(), command), end; found != end;
-       ++found) {
-    used.insert(found->str());
-  }
-  EXPECT_GT(used.size(), 4U);
-  for (const std::string& name : used) {
-    EXPECT_TRUE(name == "\\gp" || picture.find("\\def" + name + "#1") != std::string::npos) << name;
-  }
-  static const std::regex style(R"([\[{,](gp (?:mark|dt|lt|node) [a-z0-9]+)[\]},])");
-  for (std::sregex_iterator found(picture.begin(), picture.end(), style), end; found != end;
-       ++found) {
-    EXPECT_NE(picture.find((*found)[1].str() + "/.style"), std::string::npos) << (*found)[1];
-  }
-  EXPECT_EQ(paperPgfs({figure(PaperWidth::page), figure()}).back(), picture);
-}
-
-TEST(TikzPicture, OfNoPictureIsAnError) {
-  EXPECT_THROW((void)tikzPicture("nothing"), InternalError);
 }
 
 }  // namespace

@@ -78,14 +78,13 @@ inline study::StudyRecord study(const std::string& name,
   return record;
 }
 
-inline study::ClaimSpec newIsBetter(const std::string& gainExceeds = {}) {
-  return {"The new method is better", "§4", "new", "old", "error_rate", gainExceeds};
+inline study::ClaimSpec newIsBetter() {
+  return {"The new method is better", "§4", "new", "old"};
 }
 
 inline study::ClaimRecord judgeClaim(const study::ClaimSpec& claim,
-                                     const std::vector<study::StudyRecord>& run,
-                                     std::size_t own = 0) {
-  const auto records = study::judgeClaims({claim}, run, own);
+                                     const study::StudyRecord& record) {
+  const auto records = study::judgeClaims({claim}, record);
   EXPECT_EQ(records.size(), 1U);
   EXPECT_EQ(records.at(0).text, claim.text);
   EXPECT_EQ(records.at(0).source, claim.source);

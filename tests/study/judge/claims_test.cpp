@@ -109,7 +109,7 @@ TEST(Claims, HoldForTheMeanOfAllLightsThoughNotUnderEach) {
 }
 
 TEST(Claims, OfBoundsHoldForTheMeanOfAllLightsThoughNotUnderEach) {
-  ClaimSpec claim{"Below 0.05", "§4", "", "", "error_rate", ""};
+  ClaimSpec claim{"Below 0.05", "§4", "", "", "error_rate"};
   claim.method = "new";
   claim.below = 0.05;
   StudyRecord record = study("s", {{0.02, 0.1}, {0.045, 0.1}}, 0.01);
@@ -270,7 +270,7 @@ StudyRecord lengthStudy(const std::vector<double>& ratios, std::optional<double>
 }
 
 ClaimSpec newIsBetween(std::optional<double> above, std::optional<double> below) {
-  ClaimSpec claim{"As long as the truth's", "§4", "", "", "shadow_length_ratio", ""};
+  ClaimSpec claim{"As long as the truth's", "§4", "", "", "shadow_length_ratio"};
   claim.method = "new";
   claim.above = above;
   claim.below = below;
@@ -413,8 +413,7 @@ TEST(Claims, TellNoBoundariesApartWithoutTheTruthsOwn) {
 TEST(Claims, AreJudgedInTheirOrder) {
   ClaimSpec reverse = newIsBetter();
   std::swap(reverse.less, reverse.than);
-  const std::vector<StudyRecord> run = {study("s", {{0.02, 0.05}}, 0.01)};
-  const auto records = judgeClaims({newIsBetter(), reverse}, run, 0);
+  const auto records = judgeClaims({newIsBetter(), reverse}, study("s", {{0.02, 0.05}}, 0.01));
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(records[0].verdict, Verdict::held);
   EXPECT_EQ(records[1].verdict, Verdict::failed);

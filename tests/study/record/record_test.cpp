@@ -182,7 +182,6 @@ StudyRecord sample() {
   }
   record.truth.flips[0].boundaries[0] = {
       compare::boundaryMetricNames()[0], {}, compare::boundaryReasons()[0]};
-  record.truth.refinement = {{0.5, 10, {}}, {0.25, 40, 0.01}};
   record.methods = {{"ours", "onoue-2004", "title", "citation", {"curvature", "circle"}}};
   record.refused = {{"theirs", "a reason"}};
   ResultRecord result;
@@ -194,16 +193,7 @@ StudyRecord sample() {
   record.results = {result, result};
   record.confidence = {{"ours", "camera", "all", 0.5, compare::Interval{0.25, 0.75}, "", 144, 8}};
   record.differences = {
-      {"camera",
-       "all",
-       "ours",
-       "theirs",
-       -0.5,
-       {},
-       "too few",
-       0.125,
-       DifferenceVerdict::worse,
-       RadiusCheck<DifferenceVerdict>{DifferenceVerdict::better, DifferenceVerdict::worse}}};
+      {"camera", "all", "ours", "theirs", -0.5, {}, "too few", 0.125, DifferenceVerdict::worse}};
   record.bins = {{"ours", "camera", "all", "axis", {}, 0.5, {1, 1, 1, 1, 4}}};
   record.cost = {{"ours", 1, 2, 3, 4.5, 4, 17.5, 2, "2026-01-01"}};
   record.timings = {{"truth", 1.25}};
@@ -217,7 +207,6 @@ StudyRecord sample() {
                     Verdict::held,
                     "detail",
                     ClaimSpread{3, 2, 1, 1, "ratio", Quartiles{1, 2, 3, 4, 5}, true, Verdict::held},
-                    RadiusCheck<Verdict>{Verdict::held, Verdict::failed},
                     {"ours", "theirs"}}};
   const BudgetShare share{0.5, compare::Interval{0, 1}, "none",
                           DifferenceVerdict::notDistinguishable};
@@ -263,7 +252,7 @@ TEST(RecordFields, ComeBackToTheBit) {
   EXPECT_EQ(read.panels[0].layers, record.panels[0].layers);
   EXPECT_EQ(read.budgets[0].backward[0].falseLight, 0.6);
   EXPECT_EQ(read.claims[0].spread->quartiles->most, 5);
-  EXPECT_EQ(read.differences[0].radius->atTwice, DifferenceVerdict::worse);
+  EXPECT_EQ(read.differences[0].verdict, DifferenceVerdict::worse);
   EXPECT_EQ(read.cache->damaged, 3U);
 }
 

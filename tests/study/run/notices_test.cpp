@@ -43,16 +43,11 @@ TEST_F(UncertaintyNotice, NamesTheKeyThatRefinesTheTruth) {
   EXPECT_THAT(step, HasSubstr("Set truth.step = 0.125 (now 0.25)."));
   // Where the study leaves it to the program, the step that was found.
   EXPECT_EQ(notice("", truthWith(0.0047, 0.25)), step);
-  const std::string asked = notice("uncertainty = 0.01", truthWith(0.0047, 0.5)).value();
-  EXPECT_THAT(asked, HasSubstr("Set truth.uncertainty = 0.003 (now 0.01)."));
-  EXPECT_THAT(asked, Not(HasSubstr("truth.step")));
 }
 
 TEST_F(UncertaintyNotice, InTheQuickFormNamesTheKeysAsTheStudyHasThem) {
   const std::string step = notice("step = 0.25", truthWith(0.01, 1.0), true).value();
   EXPECT_THAT(step, HasSubstr("Leave out --quick; or set truth.step = 0.125 (now 0.25)."));
-  const std::string asked = notice("uncertainty = 0.005", truthWith(0.01, 1.0), true).value();
-  EXPECT_THAT(asked, HasSubstr("truth.uncertainty = 0.003 (now 0.005)."));
 }
 
 TEST(Notices, OverlapIsToldWithItsShare) {

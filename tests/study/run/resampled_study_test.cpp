@@ -92,7 +92,7 @@ Mask truthOf(const StudySpec& study, double coarser = 1) {
   const truth::MicroMesh mesh(surface, study.relief, settings);
   const truth::MicroScene scene(mesh);
   return truth::traceShadows(surface, study.relief, mesh, scene, samples,
-                             truth::TraceSettings{test::lightToward(20, 25)})
+                             truth::TraceSettings{{test::lightToward(20, 25)}})
       .mask;
 }
 

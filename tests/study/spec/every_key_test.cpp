@@ -99,13 +99,6 @@ less = "one"
 than = "two"
 metric = "error_rate"
 region = "all"
-gain_exceeds = "other"
-[[claim]]
-text = "t"
-source = "s"
-less = "one"
-than = "two"
-gain_grows = true
 [[claim]]
 text = "t"
 source = "s"
@@ -177,7 +170,7 @@ class EveryKey : public StudyFile {
       texts.push_back(everyKey(surface, reliefs[0], "step = 0.5\ndirections = 64\n"));
     }
     for (const std::string& relief : reliefs) {
-      texts.push_back(everyKey(surfaces[0], relief, "uncertainty = 0.01\n"));
+      texts.push_back(everyKey(surfaces[0], relief, "triangles = 1000\n"));
     }
     std::vector<Study> found;
     std::set<std::string> known;

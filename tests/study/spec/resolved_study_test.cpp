@@ -69,7 +69,7 @@ TEST_F(ResolvedStudy, HasWhatTheOptionsChange) {
   EXPECT_EQ(again.methods[0].label, "onoue-2004");
   EXPECT_EQ(again.methods[0].file.stem(), "horizon-ladder");
   EXPECT_EQ(again.lights.size(), 2U);
-  EXPECT_EQ(again.lights[1].elevation, radians(47.3));
+  EXPECT_EQ(again.lights[1].angles.elevation, 47.3);
   EXPECT_EQ(again.relief.field.maximum(), 3.25F);
 }
 

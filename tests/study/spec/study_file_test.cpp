@@ -11,6 +11,7 @@
 #include "study/spec/study_file_fixture.h"
 #include "study/spec/study_parts.h"
 #include "study/spec/sweep/sweep.h"
+#include "truth/disc_directions.h"
 #include "support/scene_files.h"
 
 // `[[light]] radius` and `sun`, `[truth] directions` and `[[method]] disc`.
@@ -87,9 +88,9 @@ TEST_F(StudyFile, ReadsAHeightImageBesideIt) {
 
 TEST_F(StudyFile, LightsPointWhereTheyAreSaidTo) {
   const StudySpec study = readWith({"light.0.azimuth=90", "light.0.elevation=30"});
-  const Vec3 direction = study.lights.at(0).direction();
+  const Vec3 direction = study.lights.at(0).direction;
   EXPECT_NEAR(glm::length(direction - Vec3(0, std::sqrt(0.75), 0.5)), 0, 1e-15);
-  EXPECT_NEAR(glm::length(readWith({"light.0.elevation=90"}).lights[0].direction() - Vec3(0, 0, 1)),
+  EXPECT_NEAR(glm::length(readWith({"light.0.elevation=90"}).lights[0].direction - Vec3(0, 0, 1)),
               0, 1e-15);
 }
 
@@ -100,8 +101,8 @@ TEST_F(StudyFile, ASweepIsEveryElevationWithEveryAzimuth) {
   EXPECT_EQ(study.lights[0].name, "elevation 60° azimuth 0°");
   EXPECT_EQ(study.lights[1].name, "elevation 12.5° azimuth 0°");
   EXPECT_EQ(study.lights[5].name, "elevation 12.5° azimuth 240°");
-  EXPECT_NEAR(study.lights[5].azimuth, radians(240), 1e-15);
-  EXPECT_NEAR(study.lights[5].elevation, radians(12.5), 1e-15);
+  EXPECT_NEAR(study.lights[5].angles.azimuth, 240, 1e-15);
+  EXPECT_NEAR(study.lights[5].angles.elevation, 12.5, 1e-15);
 }
 
 TEST_F(StudyFile, OneLightMayHaveAName) {
@@ -210,17 +211,6 @@ TEST_F(StudyFile, QuickIsAQuarterOfTheSidesAndASixteenthOfTheMesh) {
   EXPECT_EQ(quick.truth.stepTexels, 0.5);
   EXPECT_EQ(16 * quick.truth.leastTriangles, full.truth.leastTriangles);
   EXPECT_FALSE(full.truth.stepTexels);
-  const StudySpec wanted = read(plainStudy, {{"truth.uncertainty=0.001"}, {}, true});
-  EXPECT_EQ(wanted.truth.uncertainty, 0.004) << "four times the step is as much less certain";
-}
-
-TEST_F(StudyFile, TheTruthHasAStepOrAnUncertainty) {
-  EXPECT_FALSE(read(plainStudy).truth.uncertainty);
-  EXPECT_EQ(readWith({"truth.uncertainty=0.001"}).truth.uncertainty, 0.001);
-  EXPECT_EQ(failure(plainStudy + "[truth]\nstep = 0.25\nuncertainty = 0.001\n"),
-            "plain.toml:39: truth.uncertainty: `step` found beside it, one of the two expected");
-  EXPECT_THAT(failureWith({"truth.uncertainty=0"}), HasSubstr("truth.uncertainty: 0 found"));
-  EXPECT_THAT(failureWith({"truth.uncertainty=2"}), HasSubstr("truth.uncertainty: 2 found"));
 }
 
 // ---- the studies that come with the program
@@ -239,19 +229,19 @@ TEST(Scenes, CanAllBeRead) {
 using SoftLight = StudyFile;
 
 TEST_F(SoftLight, HasARadiusInItsName) {
-  const LightSpec light = readWith({"light.0.radius=0.5"}).lights.front();
+  const Light light = readWith({"light.0.radius=0.5"}).lights.front();
   EXPECT_EQ(light.radius, radians(0.5));
   EXPECT_TRUE(light.isSoft());
   EXPECT_EQ(light.name, "elevation 30° azimuth 20° radius 0.5°");
-  const LightSpec point = read(plainStudy).lights.front();
-  const LightSpec zero = readWith({"light.0.radius=0"}).lights.front();
+  const Light point = read(plainStudy).lights.front();
+  const Light zero = readWith({"light.0.radius=0"}).lights.front();
   EXPECT_FALSE(zero.isSoft());
   EXPECT_EQ(zero.name, point.name);
-  EXPECT_EQ(zero.lowestDirection(), point.direction());
+  EXPECT_EQ(truth::lowestOfDisc(zero), point.direction);
 }
 
 TEST_F(SoftLight, OfTheSunHasItsRadius) {
-  const LightSpec light = readWith({"light.0.sun=true"}).lights.front();
+  const Light light = readWith({"light.0.sun=true"}).lights.front();
   EXPECT_EQ(light.radius, radians(0.266));
   EXPECT_FALSE(readWith({"light.0.sun=false"}).lights.front().isSoft());
   EXPECT_THAT(failureWith({"light.0.sun=true", "light.0.radius=1"}),
@@ -264,7 +254,7 @@ TEST_F(SoftLight, OfTheSunHasItsRadius) {
 TEST_F(SoftLight, ReachesAsFarAsItsLowestPoint) {
   const StudySpec point = read(plainStudy);
   const StudySpec disc = readWith({"light.0.radius=5"});
-  EXPECT_NEAR(std::asin(disc.lights.front().lowestDirection().z), radians(25), 1e-12);
+  EXPECT_NEAR(std::asin(truth::lowestOfDisc(disc.lights.front()).z), radians(25), 1e-12);
   EXPECT_GT(disc.radius.texels, point.radius.texels);
 }
 

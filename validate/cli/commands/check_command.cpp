@@ -80,7 +80,6 @@ std::string commandFor(const CheckRequest& request, const std::string& file,
     }
   };
   if (options.quick) text += " --quick";
-  if (request.run.varyRadius) text += " --vary-radius";
   if (request.run.metricsOnly) text += " --metrics-only";
   add("--set", options.overrides);
   add("--replace", options.replacements);
@@ -375,7 +374,7 @@ void finish(std::vector<Study>& studies, const CheckRequest& request, cache::Cac
     try {
       collect(study, request, records);
       if (request.updateBaseline) update(study, request, cache, records);
-      study::StudyMeans means = finishPlan(*study.part, request.run, cache, records);
+      study::StudyMeans means = meansOf(*study.part, request.run, records);
       if (isRanked(*study.plan)) ranked.push_back(std::move(means));
     } catch (...) {
       addProblem(study.check, "study");

@@ -16,7 +16,6 @@
 #include "export/mesh_files.h"
 #include "export/truth_files.h"
 #include "report/text/number_text.h"
-#include "report/text/refinement_text.h"
 #include "study/run/truth_study.h"
 
 namespace gnomon::cli {
@@ -87,7 +86,6 @@ void traceOne(const study::StudySpec& study, report::RunFolder& folder, const re
                         (folder.path() / "truth.json").string(), study.views.size(),
                         study.lights.size(), report::groupedText(record.truth.microTriangles),
                         report::percentText(record.truth.uncertainty)));
-  if (record.truth.wantedUncertainty) printLine(report::refinementText(record.truth));
   printNotices(record);
 }
 

@@ -20,7 +20,6 @@ struct RunRequest {
   std::filesystem::path out = "out";
   study::StudyOptions options;
   bool noCache = false;
-  bool varyRadius = false;  ///< judge at half and at twice the search radius too
   /// Figures alone: no masks, pictures, pages, plots and times. Then the same input gives the same
   /// folder, byte for byte.
   bool metricsOnly = false;

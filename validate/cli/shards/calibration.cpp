@@ -158,7 +158,6 @@ Calibration calibrate(const study::StudyPlan& plan, const study::StudySpec& step
                       const RunRequest& request, cache::Cache& cache) {
   cache::KeyBuilder key("calibration");
   key.add("case", caseHash(step)).add("host", hostName()).add("threads", threadCount());
-  key.add("half and twice", request.varyRadius);
   if (std::optional<Calibration> kept = cache.find<Calibration>(key.key())) {
     kept->isKept = true;
     return *kept;

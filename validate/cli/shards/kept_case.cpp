@@ -34,7 +34,7 @@ void fields(Stream& stream, T& file) {
 
 template <typename Stream, cache::SameAs<KeptCase> T>
 void fields(Stream& stream, T& kept) {
-  stream(kept.record, kept.half, kept.twice, kept.files);
+  stream(kept.record, kept.files);
 }
 
 namespace {

@@ -26,8 +26,7 @@ struct KeptFile {
 };
 
 struct KeptCase {
-  study::StudyRecord record;                      ///< as it was measured: no claim is judged
-  std::optional<study::StudyRecord> half, twice;  ///< at other search radii, where they are varied
+  study::StudyRecord record;  ///< as it was measured: no claim is judged
   std::vector<KeptFile> files;
 };
 

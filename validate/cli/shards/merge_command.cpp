@@ -40,11 +40,6 @@ class KeptCases final : public CaseSource {
     return std::move(cases_.at(study.name).kept.record);
   }
 
-  study::StudyRecord measureAt(const study::StudySpec& study, double radiusFactor) override {
-    KeptCase& kept = cases_.at(study.name).kept;
-    return std::move((radiusFactor < 1 ? kept.half : kept.twice).value());
-  }
-
  private:
   std::map<std::string, FoundCase> cases_;
 };

@@ -37,18 +37,8 @@ struct Estimate {
   double bytes = 0;  ///< of several the largest
 };
 
-/// Half and twice the radius measure the methods again, without pictures.
-study::StudyWork workOf(const study::StudySpec& step, bool varyRadius) {
-  study::StudyWork work = study::workOf(step);
-  if (varyRadius) {
-    work.frames *= 3;
-    work.horizons *= 3;
-  }
-  return work;
-}
-
-Estimate estimateOf(const study::StudySpec& step, const Calibration& calibration, bool varyRadius) {
-  const study::StudyWork work = workOf(step, varyRadius);
+Estimate estimateOf(const study::StudySpec& step, const Calibration& calibration) {
+  const study::StudyWork work = study::workOf(step);
   return {step.name,
           1,
           work,
@@ -222,7 +212,7 @@ ExitStatus planStudies(const PlanRequest& request) {
   for (const study::StudyPlan& study : plans) {
     std::vector<Estimate> steps;
     for (const study::StudySpec& step : study.steps) {
-      steps.push_back(estimateOf(step, plan.calibration, request.run.varyRadius));
+      steps.push_back(estimateOf(step, plan.calibration));
     }
     plan.studies.push_back(sumOf(study.name, steps));
     plan.cases.insert(plan.cases.end(), steps.begin(), steps.end());

@@ -162,18 +162,14 @@ class ShardRun {
     std::set<std::string> before = folder.names();
     before.insert(study::studyCopyName(step.name));  // which tells where it lies
     const auto keep = [&](study::StudyRecord& record) {
-      KeptCase kept{record, {}, {}, filesSince(folder, before)};
-      if (request_.varyRadius) kept.half = records_.half.back();
-      if (request_.varyRadius) kept.twice = records_.twice.back();
+      KeptCase kept{record, filesSince(folder, before)};
       keepCase(folder, hash, kept);
     };
     runStep(part, step, cases, request_, cache, records_, keep);
     worst_ = std::max(worst_, worstProblem(records_.all));
   }
 
-  void forgetRecords() {
-    for (auto* list : {&records_.all, &records_.half, &records_.twice}) list->clear();
-  }
+  void forgetRecords() { records_.all.clear(); }
 
   void report() const {
     const auto whole = std::count_if(manifest_.cases.begin(), manifest_.cases.end(),

@@ -72,8 +72,8 @@ void setRelief(GLuint program, const GpuHeights& heights, relief::HeightSpace sp
 }
 
 void setDrawing(GLuint program, const Drawing& drawing) {
-  setUniform(program, "lightDirection", drawing.light);
-  setUniform(program, "lightRadius", drawing.lightRadius);
+  setUniform(program, "lightDirection", drawing.light.direction);
+  setUniform(program, "lightRadius", drawing.light.radius);
   setUniform(program, "chartsOverlap", drawing.mesh.chartsOverlap() ? 1 : 0);
   setRelief(program, drawing.heights, drawing.heightSpace, drawing.texelsPerHeight);
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/light.h"
 #include "relief/relief.h"
 #include "render/gpu_scene.h"
 #include "render/method.h"
@@ -19,12 +20,11 @@ struct Drawing {
   const GpuHeights& heights;
   relief::Wrap wrap;
   relief::HeightSpace heightSpace;
-  double texelsPerHeight;               ///< of the frame of angles (texel_scale.h)
-  Vec3 light{0, 0, 1};                  ///< unit vector toward the light, world
+  double texelsPerHeight;  ///< of the frame of angles (texel_scale.h)
+  Light light = {};
   const GpuVolumes* volumes = nullptr;  ///< of a displaced mesh
   const RenderView* texture = nullptr;  ///< the texture's own plane, for methods that draw there
   const GpuMesh* lightMesh = nullptr;   ///< of a method that has one of its own for its light
-  double lightRadius = 0;  ///< ρ of the light's disc, radians, 0 to π/18; 0 is a point
 };
 
 /// The texture units, each with one texture for all passes.

@@ -202,7 +202,7 @@ class MethodPass::Frame {
       const double side = pass.depthSide();
       requireMemory(side * side * sizeof(GLfloat),
                     fmt::format("method {}: depth_side = {}", pass.name_, side));
-      light_ = lightView(seenFromLight().bounds(), drawing.light, pass.depthSide());
+      light_ = lightView(seenFromLight().bounds(), drawing.light.direction, pass.depthSide());
     }
     for (const OwnPass& own : pass.own_) {
       const RenderView& on = viewOf(own.root);
@@ -478,7 +478,7 @@ MethodAnswers MethodPass::render(const RenderView& view, const Drawing& drawing,
                                  const GpuTables& tables, const FrameDrawer& drawer) const {
   // The light's centre alone: its disc is for renderVisibility.
   Drawing point = drawing;
-  point.lightRadius = 0;
+  point.light.radius = 0;
   const Frame frame(*this, view, point, tables);
   drawBy(drawer, frame);
   hasDrawnMask_ = true;
@@ -507,7 +507,7 @@ std::vector<std::size_t> MethodPass::endlessSamples(const RenderView& view, cons
                                                     const GpuTables& tables,
                                                     const LoopCheck& check) const {
   Drawing answered = drawing;
-  if (!answersInShares(drawing)) answered.lightRadius = 0;
+  if (!answersInShares(drawing)) answered.light.radius = 0;
   const Frame frame(*this, view, answered, tables, &check);
   frame.drawPasses();
   const std::vector<float> turns = frame.counted(check.answer());

@@ -145,7 +145,7 @@ class MethodPass {
   class Frame;
 
   [[nodiscard]] bool answersInShares(const Drawing& drawing) const {
-    return share_ && drawing.lightRadius > 0;
+    return share_ && drawing.light.isSoft();
   }
   [[nodiscard]] bool seesLight() const {
     return passes_.lightDepth || passes_.hasOwn(PassRaster::light);

@@ -38,9 +38,9 @@ void ShadowVolumePass::draw(const RenderView& view, const Drawing& drawing,
   beginPass(target, depth_.name(), Sides::front);
   drawing.volumes->draw();
 
-  const glm::vec4 away(-glm::vec3(drawing.light), 0);
+  const glm::vec4 away(-glm::vec3(drawing.light.direction), 0);
   setUniform(volumes_.name(), "clipFromWorld", view.clipFromWorld);
-  setUniform(volumes_.name(), "lightDirection", drawing.light);
+  setUniform(volumes_.name(), "lightDirection", drawing.light.direction);
   setUniform(volumes_.name(), "clipOfInfinity", view.clipFromWorld * away);
   beginPass(target, volumes_.name(), Sides::both);
   glDepthMask(GL_FALSE);

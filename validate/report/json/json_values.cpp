@@ -53,12 +53,6 @@ Json inputJson(const study::InputRecord& input) {
   return {{"kind", inputKindName(input.kind)}, {"file", input.file}, {"sha256", input.sha256}};
 }
 
-Json refinementJson(const study::RefinementRecord& level) {
-  return {{"step_texels", jsonNumber(level.stepTexels, "truth.refinement.step_texels")},
-          {"micro_triangles", level.microTriangles},
-          {"flip_rate", jsonNumber(level.flipRate, "truth.refinement.flip_rate")}};
-}
-
 Json spreadJson(const study::ClaimSpread& spread) {
   const auto quartile = [&](double study::Quartiles::*which) {
     return jsonNumber(spread.quartiles ? std::optional((*spread.quartiles).*which) : std::nullopt,
@@ -79,14 +73,6 @@ Json spreadJson(const study::ClaimSpread& spread) {
       {"median", quartile(&study::Quartiles::median)},
       {"quartile_3", quartile(&study::Quartiles::third)},
       {"most", quartile(&study::Quartiles::most)}};
-}
-
-template <typename Row, typename NameOf>
-Json radiusJson(const Row& row, const NameOf& nameOf) {
-  if (!row.radius) return nullptr;
-  return {{"half", nameOf(row.radius->atHalf)},
-          {"twice", nameOf(row.radius->atTwice)},
-          {"depends", row.radius->turns(row.verdict)}};
 }
 
 }  // namespace
@@ -150,17 +136,12 @@ Json jsonRadius(const study::RadiusRecord& radius) {
 }
 
 Json jsonTruth(const study::TruthRecord& truth) {
-  Json json = {{"micro_triangles", truth.microTriangles},
-               {"step_texels", jsonNumber(truth.stepTexels, "truth.step_texels")},
-               {"uncertainty", jsonNumber(truth.uncertainty, "truth.uncertainty")},
-               {"bvh_bytes", truth.bvhBytes ? Json(*truth.bvhBytes) : Json(nullptr)},
-               {"mesh_bytes", truth.meshBytes},
-               {"flips", jsonList(truth.flips, flipJson)}};
-  if (truth.wantedUncertainty) {
-    json["wanted_uncertainty"] = jsonNumber(*truth.wantedUncertainty, "truth.wanted_uncertainty");
-    json["refinement"] = jsonList(truth.refinement, refinementJson);
-  }
-  return json;
+  return {{"micro_triangles", truth.microTriangles},
+          {"step_texels", jsonNumber(truth.stepTexels, "truth.step_texels")},
+          {"uncertainty", jsonNumber(truth.uncertainty, "truth.uncertainty")},
+          {"bvh_bytes", truth.bvhBytes ? Json(*truth.bvhBytes) : Json(nullptr)},
+          {"mesh_bytes", truth.meshBytes},
+          {"flips", jsonList(truth.flips, flipJson)}};
 }
 
 Json jsonClaim(const study::ClaimRecord& claim) {
@@ -169,16 +150,7 @@ Json jsonClaim(const study::ClaimRecord& claim) {
           {"verdict", study::verdictName(claim.verdict)},
           {"detail", claim.detail},
           {"methods", claim.methods},
-          {"spread", claim.spread ? spreadJson(*claim.spread) : Json(nullptr)},
-          {"radius", jsonRadiusCheck(claim)}};
-}
-
-Json jsonRadiusCheck(const study::ClaimRecord& claim) {
-  return radiusJson(claim, study::verdictName);
-}
-
-Json jsonRadiusCheck(const study::DifferenceRecord& difference) {
-  return radiusJson(difference, differenceVerdictName);
+          {"spread", claim.spread ? spreadJson(*claim.spread) : Json(nullptr)}};
 }
 
 Json jsonMeans(const study::MethodMeans& means) {

@@ -43,19 +43,13 @@ Json jsonRegionColours();
 Json jsonEnvironment(const study::EnvironmentRecord& environment);
 /// name, title, source, file, command, copy, settings, inputs.
 Json jsonStudy(const study::StudyRecord& record);
-/// micro_triangles, step_texels, uncertainty, bvh_bytes, mesh_bytes, and `flips` by view and light;
-/// where an uncertainty was asked for, also wanted_uncertainty and the levels of `refinement`.
+/// micro_triangles, step_texels, uncertainty, bvh_bytes, mesh_bytes, and `flips` by view and light.
 Json jsonTruth(const study::TruthRecord& truth);
 /// text, source, verdict, detail; `spread` over the study's cases, or null: cases, held, failed,
 /// not_distinguishable (numbers of cases), intervals (false: judged by the truth's uncertainty
 /// alone), together (the verdict on the mean of all cases), quantity ("ratio", `less` over `than`;
-/// or "value"), and its least, quartile_1, median, quartile_3, most (null where no case has it);
-/// and `radius` (jsonRadiusCheck).
+/// or "value"), and its least, quartile_1, median, quartile_3, most (null where no case has it).
 Json jsonClaim(const study::ClaimRecord& claim);
-/// A verdict at other search radii. half, twice: the verdicts there; depends: whether either
-/// differs from the verdict at the study's radius. Null where the radius was not varied.
-Json jsonRadiusCheck(const study::ClaimRecord& claim);
-Json jsonRadiusCheck(const study::DifferenceRecord& difference);
 /// method, error_rate, false_shadow, false_light, uncertainty, cases, all_cases.
 Json jsonMeans(const study::MethodMeans& means);
 /// The status of a run by its name.

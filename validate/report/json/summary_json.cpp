@@ -132,8 +132,7 @@ Json differenceJson(const study::DifferenceRecord& difference) {
           {"high", jsonNumber(highOf(difference.interval), "differences.high")},
           {"reason", jsonReason(difference.reason)},
           {"uncertainty", jsonNumber(difference.uncertainty, "differences.uncertainty")},
-          {"verdict", differenceVerdictName(difference.verdict)},
-          {"radius", jsonRadiusCheck(difference)}};
+          {"verdict", differenceVerdictName(difference.verdict)}};
 }
 
 Json shareJson(const study::BudgetShare& share) {

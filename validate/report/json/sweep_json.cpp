@@ -16,8 +16,7 @@ Json sweptStudyJson(const study::SweepRecord& sweep) {
 }
 
 Json keyJson(const study::SweptKey& key) {
-  return {
-      {"key", key.key}, {"axis", key.axis}, {"dimension", key.dimension}, {"drawn", key.isDrawn}};
+  return {{"key", key.key}, {"axis", key.axis}, {"dimension", key.dimension}};
 }
 
 Json sweptValueJson(const study::SweptValue& value) {

@@ -9,7 +9,6 @@
 #include "report/plots/page_svg.h"
 #include "report/tables/formats/html_format.h"
 #include "report/text/names.h"
-#include "report/text/radius_text.h"
 #include "report/text/terms_html.h"
 
 namespace gnomon::report {
@@ -144,11 +143,9 @@ Html htmlStatus(study::RunStatus status) {
 }
 
 Html htmlClaim(const study::ClaimRecord& claim, const Html& study) {
-  const std::string radius = radiusNote(claim);
-  return html(
-      "<li>{}<div><p>{}{}</p>{}<p class=\"note\">{}</p><p class=\"note\">{}</p></div></li>\n",
-      verdictTag(claim.verdict), study.empty() ? Html() : html("<b>{}</b> ", study), claim.text,
-      radius.empty() ? Html() : html("<p><b>{}</b></p>", radius), claim.detail, claim.source);
+  return html("<li>{}<div><p>{}{}</p><p class=\"note\">{}</p><p class=\"note\">{}</p></div></li>\n",
+              verdictTag(claim.verdict), study.empty() ? Html() : html("<b>{}</b> ", study),
+              claim.text, claim.detail, claim.source);
 }
 
 Html htmlClaims(const Html& claims) {

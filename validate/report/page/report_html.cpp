@@ -23,8 +23,8 @@
 #include "report/text/interval_text.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
-#include "report/text/refinement_text.h"
 #include "report/text/terms_html.h"
+#include "report/text/truth_text.h"
 #include "study/judge/distinguish.h"
 #include "study/judge/study_means.h"
 
@@ -95,9 +95,6 @@ Html truthSection(const study::StudyRecord& record) {
   Html content = html("<dl>\n{}</dl>\n", facts);
   if (!truth.flips.empty()) {
     content += htmlNote(truthErrorText(truth)) + htmlTable(flipTable(truth.flips));
-  }
-  if (truth.wantedUncertainty) {
-    content += htmlNote(refinementText(truth)) + htmlTable(refinementTable(truth.refinement));
   }
   return htmlSection("truth", "The truth", content);
 }

@@ -19,8 +19,8 @@
 #include "report/text/gate_text.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
-#include "report/text/refinement_text.h"
 #include "report/text/terminal_page.h"
+#include "report/text/truth_text.h"
 #include "study/judge/study_means.h"
 
 namespace gnomon::report {
@@ -140,13 +140,13 @@ void appendRadius(TerminalPage& page, const study::StudyRecord& record) {
   page.paragraph("Search radius " + radiusText(record.radius));
 }
 
-/// The truth's own error, and how its resolution was found where the study asks for an uncertainty.
+/// The truth's own error.
 void appendTruth(TerminalPage& page, const study::StudyRecord& record) {
-  const std::array texts = {truthErrorText(record.truth), refinementText(record.truth)};
-  if (texts[0].empty() && texts[1].empty()) return;
+  const std::string text = truthErrorText(record.truth);
+  if (text.empty()) return;
   page.blank();
   page.heading("The truth");
-  for (const std::string& text : texts) page.paragraph(text, terminalIndent);
+  page.paragraph(text, terminalIndent);
 }
 
 /// Where the time went: the stages that took a hundredth of a second or more.

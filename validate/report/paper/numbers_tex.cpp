@@ -14,7 +14,7 @@
 #include "report/text/interval_text.h"
 #include "report/text/latex_text.h"
 #include "report/text/number_text.h"
-#include "report/text/refinement_text.h"
+#include "report/text/truth_text.h"
 #include "study/judge/study_means.h"
 #include "study/record/cases.h"
 

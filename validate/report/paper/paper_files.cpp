@@ -27,7 +27,7 @@ std::vector<std::string> figureMethods(const PaperOptions& options, const Study&
   return options.methods.empty() ? highlights(study) : options.methods;
 }
 
-/// figures/column/NAME.pdf and .pgf, and likewise of a page.
+/// figures/column/NAME.pdf, and likewise of a page.
 void writeFigures(const std::vector<PlotSheet>& sheets, const PaperOptions& options,
                   RunFolder& folder) {
   for (const PaperWidth width : options.widths) {
@@ -36,11 +36,9 @@ void writeFigures(const std::vector<PlotSheet>& sheets, const PaperOptions& opti
       if (auto figure = paperFigure(sheet, width, options.fontSize)) figures.push_back(*figure);
     }
     const std::vector<std::string> pdfs = paperPdfs(figures);
-    const std::vector<std::string> pgfs = paperPgfs(figures);
     for (std::size_t i = 0; i < figures.size(); ++i) {
-      const std::string path = fmt::format("figures/{}/{}", paperWidthName(width), figures[i].name);
-      folder.write(path + ".pdf", pdfs[i]);
-      folder.write(path + ".pgf", pgfs[i]);
+      folder.write(fmt::format("figures/{}/{}.pdf", paperWidthName(width), figures[i].name),
+                   pdfs[i]);
     }
   }
 }

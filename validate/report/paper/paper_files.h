@@ -10,7 +10,7 @@ namespace gnomon::report {
 
 /// What a run writes for a paper: always table.tex, a bare tabular that fits a column (see
 /// latexTabular), and numbers.tex (see numbersTex); where figures are wanted,
-/// figures/column/NAME.pdf and .pgf (see paperFigure), and of a page likewise, with table-page.tex.
+/// figures/column/NAME.pdf (see paperFigure), and of a page likewise, with table-page.tex.
 /// They show the chosen methods; without a choice the tables show all of them, the figures those
 /// that plots highlight.
 /// @throws InputError for a file that cannot be written; InternalError as the writers

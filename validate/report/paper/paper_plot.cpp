@@ -6,8 +6,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "report/paper/tikz_picture.h"
-#include "report/plots/gnuplot.h"
 #include "report/text/latex_text.h"
 
 namespace gnomon::report {
@@ -83,24 +81,12 @@ std::string paperSettings(const std::string& page, const Legend& legend, double 
          fmt::format(
              "set bmargin at screen {:.4f}\nset key default\n"
              "set key at screen {:.4f}, screen {:.4f} left top vertical maxrows {} Left reverse "
-             "samplen 1.5 spacing legendSpacing font ',{:g}'\n",
+             "samplen 1.5 spacing 1.1 font ',{:g}'\n",
              (legendHeight + axisLines * fontSize) / height, legend.left, legendHeight / height,
              legend.rows, fontSize);
 }
 
 constexpr double millimetresOfInch = 25.4;
-
-std::vector<std::string> scriptsOf(const std::vector<PaperFigure>& figures,
-                                   std::string (*terminalOf)(const PaperFigure&)) {
-  std::vector<std::string> scripts;
-  scripts.reserve(figures.size());
-  for (const PaperFigure& figure : figures) {
-    // Numbers without the spaces and the signs of mathematics that some terminals give them.
-    scripts.push_back("set encoding utf8\n" + terminalOf(figure) + "set format '%g'\n" +
-                      figure.commands);
-  }
-  return scripts;
-}
 
 }  // namespace
 
@@ -117,27 +103,17 @@ std::optional<PaperFigure> paperFigure(const PlotSheet& sheet, PaperWidth width,
 }
 
 std::vector<std::string> paperPdfs(const std::vector<PaperFigure>& figures) {
-  return undatedPdfs(scriptsOf(figures, [](const PaperFigure& figure) {
+  std::vector<std::string> scripts;
+  for (const PaperFigure& figure : figures) {
     // At 0.8 its points are points. Small letters of the usual plain fonts are higher than a
     // paper's: at 0.68 they look alike.
-    return fmt::format(
-        "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,{:g}' "
-        "fontscale 0.68 linewidth 0.5\nlegendSpacing = 1.1\n",
-        figure.width / millimetresOfInch, figure.height / millimetresOfInch, figure.fontSize);
-  }));
-}
-
-std::vector<std::string> paperPgfs(const std::vector<PaperFigure>& figures) {
-  std::vector<std::string> pictures =
-      drawByGnuplot(scriptsOf(figures, [](const PaperFigure& figure) {
-        // It sets the lines of a legend too close.
-        return fmt::format(
-            "set terminal tikz size {:.3f}cm,{:.3f}cm font ',{:g}'\n"
-            "legendSpacing = 1.35\n",
-            figure.width / 10, figure.height / 10, figure.fontSize);
-      }));
-  for (std::string& picture : pictures) picture = tikzPicture(picture);
-  return pictures;
+    scripts.push_back(fmt::format(
+        "set encoding utf8\nset terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font "
+        "'sans-serif,{:g}' fontscale 0.68 linewidth 0.5\nset format '%g'\n{}",
+        figure.width / millimetresOfInch, figure.height / millimetresOfInch, figure.fontSize,
+        figure.commands));
+  }
+  return undatedPdfs(scripts);
 }
 
 }  // namespace gnomon::report

@@ -28,10 +28,4 @@ std::optional<PaperFigure> paperFigure(const PlotSheet& sheet, PaperWidth width,
 /// @throws InternalError as runGnuplot
 std::vector<std::string> paperPdfs(const std::vector<PaperFigure>& figures);
 
-/// Figures as pictures for `\input`, drawn by PGF's TikZ in the paper's own font. They need
-/// `\usepackage{tikz}` and `\usetikzlibrary{plotmarks}`, and nothing of gnuplot's. Same figure,
-/// same bytes.
-/// @throws InternalError as runGnuplot
-std::vector<std::string> paperPgfs(const std::vector<PaperFigure>& figures);
-
 }  // namespace gnomon::report

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <set>
 
 #include "report/plots/gnuplot.h"
@@ -55,13 +54,11 @@ std::string shortText(const std::string& text) {
   return displayWidth(text) > longest ? fitLeft(text, longest) : text;
 }
 
-/// None where several keys are drawn together.
-std::optional<Dimension> dimensionOf(const study::SweepRecord& sweep, std::size_t dimension) {
+Dimension dimensionOf(const study::SweepRecord& sweep, std::size_t dimension) {
   std::vector<std::size_t> keys;
   for (std::size_t k = 0; k < sweep.keys.size(); ++k) {
     if (sweep.keys[k].dimension == dimension) keys.push_back(k);
   }
-  if (keys.size() > 1 && sweep.keys[keys.front()].isDrawn) return std::nullopt;
   Dimension found;
   for (std::size_t i = 0; i < sweep.cases.size(); ++i)
     found.texts.push_back(textIn(sweep, keys, i));
@@ -93,9 +90,7 @@ std::vector<Dimension> dimensionsOf(const study::SweepRecord& sweep) {
   const std::size_t count = study::dimensionCount(sweep.keys);
   if (sweep.cases.empty() || count > 2) return {};
   for (std::size_t d = 0; d < count; ++d) {
-    auto dimension = dimensionOf(sweep, d);
-    if (!dimension) return {};
-    dimensions.push_back(std::move(*dimension));
+    dimensions.push_back(dimensionOf(sweep, d));
   }
   return dimensions;
 }
@@ -152,9 +147,7 @@ std::vector<SweepSlice> slicesOf(const study::SweepRecord& sweep) {
 
 bool isGrid(const study::SweepRecord& sweep) {
   const std::vector<Dimension> dimensions = dimensionsOf(sweep);
-  const bool isDrawn = std::any_of(sweep.keys.begin(), sweep.keys.end(),
-                                   [](const study::SweptKey& key) { return key.isDrawn; });
-  return dimensions.size() == 2 && !isDrawn &&
+  return dimensions.size() == 2 &&
          std::all_of(dimensions.begin(), dimensions.end(), [](const Dimension& dimension) {
            return dimension.places().size() > mostSlices;
          });

@@ -25,7 +25,7 @@ constexpr std::size_t mostSlices = 8;
 
 /// How a sweep is cut into plots. Of one dimension it is one slice. Of two the dimension with more
 /// values is the axis, and each value of the other, of at most mostSlices, has its own slice. None
-/// otherwise, and where several keys are drawn together: their cases lie on no line.
+/// otherwise.
 std::vector<SweepSlice> slicesOf(const study::SweepRecord& sweep);
 
 /// A sweep over a grid of two dimensions, each with more than mostSlices values: neither is drawn.

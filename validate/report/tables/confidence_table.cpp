@@ -18,7 +18,7 @@ Row confidenceRow(const study::StudyRecord& record, const study::ConfidenceRecor
   }
   cells.cells.push_back(valueCell(worse->difference));
   cells.cells.push_back(intervalCell(worse->interval, worse->reason));
-  cells.mark = differenceMark(*worse);
+  cells.mark = differenceSign(worse->verdict);
   return cells;
 }
 

@@ -8,7 +8,7 @@
 namespace gnomon::report {
 
 /// The methods of a view from the lowest error rate to the highest, each with its interval, and how
-/// much worse than the best it is, with the interval of that; signs as differenceMark has them.
+/// much worse than the best it is, with the interval of that; signs as differenceSign has them.
 /// Without rows if the record has no intervals.
 Table confidenceTable(const study::StudyRecord& record, const std::string& view);
 

@@ -1,7 +1,6 @@
 #include "report/tables/run_tables.h"
 
 #include "report/text/names.h"
-#include "report/text/refinement_text.h"
 
 namespace gnomon::report {
 
@@ -12,22 +11,6 @@ Table flipTable(const std::vector<study::UncertaintyRecord>& flips) {
                           {"Samples that change", "flip_rate", Quantity::percent}}};
   for (const study::UncertaintyRecord& flip : flips) {
     table.rows.push_back({{textCell(flip.view), textCell(flip.light), valueCell(flip.flipRate)}});
-  }
-  return table;
-}
-
-Table refinementTable(const std::vector<study::RefinementRecord>& levels) {
-  Table table{
-      .kind = "refinement",
-      .columns = {{"Step", "step_texels", Quantity::exact, byAll, "texels"},
-                  {"Micro-triangles", "micro_triangles", Quantity::count},
-                  {"Differ from the level before", "flip_rate", Quantity::exact, byAll, "%"}}};
-  for (const study::RefinementRecord& level : levels) {
-    Row row{
-        {valueCell(level.stepTexels), countCell(level.microTriangles), valueCell(level.flipRate)}};
-    row.cells[0].text = stepText(level.stepTexels);
-    row.cells[2].text = flipText(level.flipRate);
-    table.rows.push_back(std::move(row));
   }
   return table;
 }

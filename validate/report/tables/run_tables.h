@@ -11,8 +11,6 @@ namespace gnomon::report {
 
 /// The truth's uncertainty in each view under each light.
 Table flipTable(const std::vector<study::UncertaintyRecord>& flips);
-/// Step, micro-triangles and flip rate of each level of a refinement.
-Table refinementTable(const std::vector<study::RefinementRecord>& levels);
 /// The time of each stage, seconds.
 Table timingTable(const std::vector<study::TimingRecord>& timings);
 /// Each file that the run was made of.

@@ -9,7 +9,6 @@
 #include "report/text/budget_text.h"
 #include "report/text/interval_text.h"
 #include "report/text/number_text.h"
-#include "report/text/radius_text.h"
 #include "report/text/ranking_text.h"
 #include "study/judge/distinguish.h"
 #include "study/judge/study_means.h"
@@ -40,12 +39,9 @@ class Range {
 /// @param difference  of the worse method, less the best
 /// @param whole  what it is a share of (errorWhole)
 std::string betterText(const study::DifferenceRecord& difference, const char* whole) {
-  // It says what becomes of the best.
-  const std::string radius = radiusNote(study::swapped(difference));
-  return fmt::format("{} is better than {} by {} % of {} (95 % interval {}){}.",
+  return fmt::format("{} is better than {} by {} % of {} (95 % interval {}).",
                      quotedText(difference.second), quotedText(difference.first),
-                     percentText(difference.difference), whole, intervalText(difference.interval),
-                     radius.empty() ? "" : ", which " + radius);
+                     percentText(difference.difference), whole, intervalText(difference.interval));
 }
 
 }  // namespace
@@ -109,25 +105,14 @@ std::vector<study::DifferenceRecord> differencesToBest(const study::StudyRecord&
   return found;
 }
 
-std::string differenceMark(const study::DifferenceRecord& toBest) {
-  const std::string sign(differenceSign(toBest.verdict));
-  if (radiusNote(toBest).empty()) return sign;
-  return (sign.empty() ? sign + " " : sign.substr(1)) + std::string(radiusMark);
-}
-
 std::string confidenceNote(const study::StudyRecord& record, const std::string& view) {
   const std::vector<study::ConfidenceRecord> ranked = rankedIn(record, view);
   if (ranked.empty()) return "";
   Range blocks;
   for (const study::ConfidenceRecord& row : ranked) blocks.add(static_cast<double>(row.blocks));
   Range uncertainty;
-  std::string radius;
   for (const study::DifferenceRecord& toBest : differencesToBest(record, view)) {
     uncertainty.add(toBest.uncertainty);
-    if (toBest.radius) {
-      radius = fmt::format(" {} The verdict changes when the search radius is halved or doubled.",
-                           radiusMark);
-    }
   }
   const std::string truth =
       uncertainty.isEmpty()
@@ -136,10 +121,10 @@ std::string confidenceNote(const study::StudyRecord& record, const std::string& 
                         uncertainty.text([](double share) { return percentText(share); }));
   return fmt::format(
       "Percent of {}, mean over the lights. {} It comes from {} blocks of {} × {} "
-      "samples. Compared with the best: {}.{}{}",
+      "samples. Compared with the best: {}.{}",
       errorWhole(study::isSoft(record)), intervalMeaning,
       blocks.text([](double count) { return fmt::format("{}", count); }), ranked.front().blockSide,
-      ranked.front().blockSide, signMeaning, truth, radius);
+      ranked.front().blockSide, signMeaning, truth);
 }
 
 }  // namespace gnomon::report

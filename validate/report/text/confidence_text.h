@@ -27,10 +27,6 @@ std::string verdictText(const study::StudyRecord& record, const std::string& vie
 std::vector<study::DifferenceRecord> differencesToBest(const study::StudyRecord& record,
                                                        const std::string& view);
 
-/// The mark behind a method's row: its differenceSign, and † (radiusMark) where the verdict depends
-/// on the search radius. Two columns at most.
-std::string differenceMark(const study::DifferenceRecord& toBest);
-
 /// What the intervals of a view mean, on how many blocks they rest, and the truth's uncertainty.
 std::string confidenceNote(const study::StudyRecord& record, const std::string& view);
 

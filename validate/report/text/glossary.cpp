@@ -111,9 +111,6 @@ constexpr auto terms = std::to_array<Term>({
      "its resolution."},
     {"Micro-triangles", "The triangles of the truth's mesh."},
     {"Step", "The longest side of the truth's triangles along the map."},
-    {"Differ from the level before",
-     "The share of samples that changed when the truth's mesh was "
-     "refined to this level."},
     {"Worst 5 %", "The mean over the twentieth of the scenes on which the method is worst."},
     {"SHA-256", "A check sum: two files with the same one hold the same bytes."},
 });

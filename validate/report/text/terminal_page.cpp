@@ -6,7 +6,6 @@
 
 #include "report/text/names.h"
 #include "report/text/number_text.h"
-#include "report/text/radius_text.h"
 #include "report/text/text_width.h"
 
 namespace gnomon::report {
@@ -87,8 +86,6 @@ void TerminalPage::claims(const std::vector<study::ClaimRecord>& records) {
     line(std::string(terminalIndent, ' ') + styled(verdict, verdictColour(claim.verdict)) +
          lines.front());
     for (std::size_t i = 1; i < lines.size(); ++i) line(std::string(margin, ' ') + lines[i]);
-    const std::string radius = radiusNote(claim);
-    if (!radius.empty()) paragraph(radius, margin);
     paragraph(claim.detail, margin);
   }
 }

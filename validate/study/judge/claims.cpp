@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "study/judge/claim_cases.h"
-#include "study/judge/gains.h"
 
 namespace gnomon::study {
 namespace {
@@ -55,17 +54,15 @@ std::string detailOf(const ClaimSpec& claim, const ClaimCases& cases, const Clai
                      boundsText(claim), spreadText(spread), left, intervalNote(claim));
 }
 
-ClaimRecord judge(const ClaimSpec& claim, std::span<const StudyRecord> run, std::size_t own) {
-  if (claim.gainGrows) return notEvaluated(claim, "judged over the values of the sweep");
-  const ClaimCases cases = casesOf(claim, run[own]);
+ClaimRecord judge(const ClaimSpec& claim, const StudyRecord& study) {
+  const ClaimCases cases = casesOf(claim, study);
   if (cases.defined.empty()) {
     const std::string methods = claim.method.empty()
                                     ? fmt::format("“{}” and “{}”", claim.less, claim.than)
                                     : fmt::format("“{}”", claim.method);
     return notEvaluated(claim, fmt::format("{} is not defined for {}", claim.metric, methods));
   }
-  if (!claim.gainExceeds.empty()) return judgeGain(claim, run[own], run);
-  const ClaimSpread spread = spreadOver(claim, run[own], cases.defined);
+  const ClaimSpread spread = spreadOver(claim, study, cases.defined);
   return {claim.text, claim.source, verdictOver(spread), detailOf(claim, cases, spread), spread};
 }
 
@@ -96,11 +93,11 @@ ClaimRecord judgeOverSteps(const ClaimSpec& claim, const SweepRecord& sweep, std
 }  // namespace
 
 std::vector<ClaimRecord> judgeClaims(const std::vector<ClaimSpec>& claims,
-                                     std::span<const StudyRecord> run, std::size_t own) {
+                                     const StudyRecord& study) {
   std::vector<ClaimRecord> records;
   records.reserve(claims.size());
   for (const ClaimSpec& claim : claims) {
-    records.push_back(judge(claim, run, own));
+    records.push_back(judge(claim, study));
     records.back().methods = methodsOf(claim);
   }
   return records;
@@ -111,8 +108,7 @@ std::vector<ClaimRecord> judgeSweepClaims(const std::vector<ClaimSpec>& claims,
   std::vector<ClaimRecord> records;
   records.reserve(claims.size());
   for (std::size_t i = 0; i < claims.size(); ++i) {
-    records.push_back(claims[i].gainGrows ? judgeGrowth(claims[i], sweep)
-                                          : judgeOverSteps(claims[i], sweep, i));
+    records.push_back(judgeOverSteps(claims[i], sweep, i));
     records.back().methods = methodsOf(claims[i]);
   }
   return records;

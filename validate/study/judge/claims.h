@@ -9,7 +9,7 @@
 
 namespace gnomon::study {
 
-/// Judges the claims of one study of a run.
+/// Judges the claims of a study.
 ///
 /// A case is one view under one light in which the claim's metric is defined, over the samples of
 /// the claim's region. "`less` has a smaller metric than `than`" holds in a case where `less` is
@@ -34,24 +34,12 @@ namespace gnomon::study {
 /// flip at half its resolution; in a region, as if all of them lay in it, so that it is never too
 /// small; of a boundary metric or a length ratio, `metricUncertainty`: by how much the coarser
 /// truth's own differs from that of a perfect mask.
-///
-/// *Gains.* With `gainExceeds` the mean of (than - less) over lights and views is compared with the
-/// same mean in the study of that name (over all values, where it has a sweep), by the sum of both
-/// studies' largest uncertainties and by the interval of the difference of two independent means:
-/// with gains g and intervals l to h, low = g₁ - g₂ - √((g₁ - l₁)² + (h₂ - g₂)²), high likewise
-/// (Zou & Donner 2008). Without that study in the run the claim is not evaluated, and says what to
-/// run. A claim with `gainGrows` is not evaluated in a single study.
-/// @param run  the records of all studies of this run
-/// @param own  which of them the claims belong to
 std::vector<ClaimRecord> judgeClaims(const std::vector<ClaimSpec>& claims,
-                                     std::span<const StudyRecord> run, std::size_t own);
+                                     const StudyRecord& study);
 
 /// Judges the claims of a sweep over all its steps, whose own verdicts are known.
-///
-/// With `gainGrows` the mean of (than - less) over lights and views at the last value is compared
-/// with that at the first, as with `gainExceeds`. Any other claim has
-/// the verdict over its values that a study's has over its cases, or is not evaluated where no step
-/// says more than that; its detail names the values of each verdict.
+/// A claim has the verdict over its values that a study's has over its cases, or is not evaluated
+/// where no step says more than that; its detail names the values of each verdict.
 std::vector<ClaimRecord> judgeSweepClaims(const std::vector<ClaimSpec>& claims,
                                           const SweepRecord& sweep);
 

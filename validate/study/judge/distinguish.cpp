@@ -77,9 +77,6 @@ DifferenceRecord swapped(DifferenceRecord difference) {
     difference.interval = compare::Interval{-difference.interval->high, -difference.interval->low};
   }
   difference.verdict = opposite(difference.verdict);
-  if (difference.radius) {
-    difference.radius = {opposite(difference.radius->atHalf), opposite(difference.radius->atTwice)};
-  }
   return difference;
 }
 

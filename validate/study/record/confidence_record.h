@@ -26,16 +26,6 @@ struct ConfidenceRecord {
   int blockSide = 0;                          ///< samples
 };
 
-/// A verdict at half and at twice the search radius.
-template <typename Verdict>
-struct RadiusCheck {
-  Verdict atHalf, atTwice;
-  /// Whether either differs from the verdict at the study's own radius.
-  [[nodiscard]] bool turns(Verdict verdict) const {
-    return atHalf != verdict || atTwice != verdict;
-  }
-};
-
 /// How the first of two methods compares with the second.
 enum class DifferenceVerdict {
   better,
@@ -60,7 +50,6 @@ struct DifferenceRecord {
   double uncertainty = 0;                     ///< of the truth in this view, mean over these lights
   /// By `distinguish`.
   DifferenceVerdict verdict = DifferenceVerdict::noInterval;
-  std::optional<RadiusCheck<DifferenceVerdict>> radius = std::nullopt;  ///< if it was varied
 };
 
 }  // namespace gnomon::study

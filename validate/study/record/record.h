@@ -59,17 +59,6 @@ struct UncertaintyRecord {
   std::optional<double> brightening = std::nullopt;
 };
 
-/// One level of a refinement to a wanted uncertainty.
-struct RefinementRecord {
-  double stepTexels = 0;  ///< the `truth.step` of this level
-  std::uint64_t microTriangles = 0;
-  /// The largest share of samples, over views and lights, that differ from the level before; of a
-  /// light with a disc the mean of |ΔV|. None
-  /// for the first level, and where the level before has more than half as many triangles: the two
-  /// are then too similar to compare.
-  std::optional<double> flipRate = std::nullopt;
-};
-
 struct TruthRecord {
   std::uint64_t microTriangles = 0;
   double stepTexels = 0;   ///< longest micro-edge along s or t of any face, texels on the map
@@ -77,8 +66,6 @@ struct TruthRecord {
   std::optional<std::uint64_t> bvhBytes;  ///< none where the record tells nothing of its run
   std::uint64_t meshBytes = 0;
   std::vector<UncertaintyRecord> flips;
-  std::optional<double> wantedUncertainty = std::nullopt;  ///< what the study asks for
-  std::vector<RefinementRecord> refinement = {};           ///< the levels up to it, coarsest first
   double askedStepTexels = 0;  ///< the `truth.step` that gives this mesh: no micro-edge is longer
 };
 
@@ -155,9 +142,8 @@ struct ClaimRecord {
   std::string source;
   Verdict verdict = Verdict::notEvaluated;
   std::string detail;  ///< the figures it was judged by
-  /// Over the study's cases; none where the claim compares means (gains), or was not evaluated.
+  /// Over the study's cases; none where the claim was not evaluated.
   std::optional<ClaimSpread> spread = std::nullopt;
-  std::optional<RadiusCheck<Verdict>> radius = std::nullopt;  ///< if it was varied
   std::vector<std::string> methods = {};  ///< labels of those that it is about, in its own order
 };
 

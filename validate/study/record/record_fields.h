@@ -96,16 +96,10 @@ void fields(Stream& stream, T& flip) {
   shareFields(stream, shares);
 }
 
-template <typename Stream, SameAs<study::RefinementRecord> T>
-void fields(Stream& stream, T& level) {
-  auto& [stepTexels, microTriangles, flipRate] = level;
-  stream(stepTexels, microTriangles, flipRate);
-}
-
 template <typename Stream, SameAs<study::TruthRecord> T>
 void fields(Stream& stream, T& truth) {
-  auto& [triangles, step, uncertainty, bvh, mesh, flips, wanted, refinement, asked] = truth;
-  stream(triangles, step, uncertainty, bvh, mesh, flips, wanted, refinement, asked);
+  auto& [triangles, step, uncertainty, bvh, mesh, flips, asked] = truth;
+  stream(triangles, step, uncertainty, bvh, mesh, flips, asked);
 }
 
 template <typename Stream, SameAs<study::RadiusRecord> T>
@@ -152,19 +146,10 @@ void fields(Stream& stream, T& confidence) {
   stream(method, view, light, rate, interval, reason, blocks, blockSide);
 }
 
-template <typename Stream, typename T>
-requires SameAs<T, study::RadiusCheck<study::Verdict>> ||
-    SameAs<T, study::RadiusCheck<study::DifferenceVerdict>>
-void fields(Stream& stream, T& check) {
-  auto& [atHalf, atTwice] = check;
-  stream(atHalf, atTwice);
-}
-
 template <typename Stream, SameAs<study::DifferenceRecord> T>
 void fields(Stream& stream, T& pair) {
-  auto& [view, light, first, second, difference, interval, reason, uncertainty, verdict, radius] =
-      pair;
-  stream(view, light, first, second, difference, interval, reason, uncertainty, verdict, radius);
+  auto& [view, light, first, second, difference, interval, reason, uncertainty, verdict] = pair;
+  stream(view, light, first, second, difference, interval, reason, uncertainty, verdict);
 }
 
 template <typename Stream, SameAs<study::BinRecord> T>
@@ -237,8 +222,8 @@ void fields(Stream& stream, T& spread) {
 
 template <typename Stream, SameAs<study::ClaimRecord> T>
 void fields(Stream& stream, T& claim) {
-  auto& [text, source, verdict, detail, spread, radius, methods] = claim;
-  stream(text, source, verdict, detail, spread, radius, methods);
+  auto& [text, source, verdict, detail, spread, methods] = claim;
+  stream(text, source, verdict, detail, spread, methods);
 }
 
 template <typename Stream, SameAs<study::BudgetShare> T>

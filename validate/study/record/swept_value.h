@@ -25,10 +25,9 @@ SweptValue sweptNumber(double number);
 struct SweptKey {
   std::string key;   ///< as `--set` takes it
   std::string axis;  ///< what its values are, for a plot's axis
-  /// Keys of one dimension step together: they are zipped or drawn. The dimensions make a grid.
+  /// Keys of one dimension step together: they are zipped. The dimensions make a grid.
   /// From 0, in the order of the file.
   std::size_t dimension = 0;
-  bool isDrawn = false;
 };
 
 /// One point of a sweep.

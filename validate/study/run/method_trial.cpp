@@ -37,7 +37,7 @@ StudySpec trialStudy(MethodSpec method, relief::Wrap wrap) {
   camera.verticalFov = radians(25);
   camera.width = camera.height = texels;
   study.views.push_back({"camera", camera});
-  study.lights.push_back({"light", radians(20), radians(30)});
+  study.lights.push_back(makeLight({20, 30}, "light"));
   method.bake = study.bake;
   study.methods.push_back(std::move(method));
   return study;

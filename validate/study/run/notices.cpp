@@ -15,6 +15,7 @@
 #include "study/run/scene/run_keys.h"
 #include "surface/closed_surface.h"
 #include "surface/face_texels.h"
+#include "truth/disc_directions.h"
 
 namespace gnomon::study {
 namespace {
@@ -24,14 +25,11 @@ constexpr int mostPieces = 1024;
 
 /// The key that makes the truth finer, with a value that about halves its uncertainty or more.
 std::string finerTruth(const StudySpec& study, const TruthRecord& truth) {
-  constexpr double quickFactor = 4;  // on both keys
+  constexpr double quickFactor = 4;
   const double factor = study.quick ? quickFactor : 1;
   const std::string change =
-      study.truth.uncertainty
-          ? fmt::format("truth.uncertainty = {:g} (now {:g})", mostUncertainty,
-                        *study.truth.uncertainty / factor)
-          : fmt::format("truth.step = {:g} (now {:g})", truth.askedStepTexels / factor / 2,
-                        truth.askedStepTexels / factor);
+      fmt::format("truth.step = {:g} (now {:g})", truth.askedStepTexels / factor / 2,
+                  truth.askedStepTexels / factor);
   return study.quick ? "Leave out --quick; or set " + change : "Set " + change;
 }
 
@@ -131,7 +129,7 @@ std::optional<std::string> wrapNotice(const StudySpec& study,
           .withBorder(
               relief::borderOf(study.cage, surface, relief::Wrap::clamp, study.relief.repeats));
   std::vector<Vec3> lights;
-  for (const LightSpec& light : study.lights) lights.push_back(light.lowestDirection());
+  for (const Light& light : study.lights) lights.push_back(truth::lowestOfDisc(light));
   const double shorter = horizon::searchRadius(surface, clamped, lights).texels;
   constexpr double muchLonger = 2;
   if (!(study.radius.texels > muchLonger * shorter)) return std::nullopt;
@@ -257,7 +255,7 @@ std::optional<std::string> invertedMasksNotice(const StudySpec& study, const Met
 }
 
 std::optional<std::string> softNotice(const StudySpec& study) {
-  const auto isSoft = [](const LightSpec& light) { return light.isSoft(); };
+  const auto isSoft = [](const Light& light) { return light.isSoft(); };
   const auto first = std::find_if(study.lights.begin(), study.lights.end(), isSoft);
   if (first == study.lights.end()) return std::nullopt;
   const bool areAll = std::all_of(study.lights.begin(), study.lights.end(), isSoft);

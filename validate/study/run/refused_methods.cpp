@@ -21,7 +21,7 @@ void addGates(StudyRecord& record, const StudySpec& study, const RefusedMethod& 
   for (const Gate& gate : study.thresholds) {
     if (!speaksOf(gate.method, method.label)) continue;
     for (const ViewSpec& view : study.views) {
-      for (const LightSpec& light : study.lights) {
+      for (const Light& light : study.lights) {
         if (!speaksOf(gate.view, view.name) || !speaksOf(gate.light, light.name)) continue;
         Gate row = gate;
         row.method = method.label;
@@ -41,7 +41,7 @@ MeasurableStudy measurable(const StudySpec& study, DriverFaults& faults) {
   MeasurableStudy left;
   std::vector<std::string> labels;
   const bool isSoft = std::any_of(study.lights.begin(), study.lights.end(),
-                                  [](const LightSpec& light) { return light.isSoft(); });
+                                  [](const Light& light) { return light.isSoft(); });
   for (const MethodSpec& method : study.methods) {
     std::string fault = faults.faultOf(method, isSoft);
     if (fault.empty()) continue;

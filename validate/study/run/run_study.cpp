@@ -19,7 +19,6 @@
 #include "study/run/stages/cost_stage.h"
 #include "study/run/stages/ladder_stage.h"
 #include "study/run/stages/panel_pictures.h"
-#include "study/run/stages/refine_stage.h"
 #include "study/run/stages/spread_stage.h"
 
 namespace gnomon::study {
@@ -43,7 +42,7 @@ class StudyRun {
         clock_(progress),
         scene_(study, clock_, gl, kept, held),
         before_(scene_.cache.counts()),
-        surface_(scene_),
+        surface_(truthSurface(scene_)),
         writer_(writer),
         pictures_(scene_, writer) {
     record_ = startRecord(study, gl);
@@ -51,7 +50,7 @@ class StudyRun {
 
   StudyRecord run() {
     prepareMethods();
-    LadderStage ladders(scene_, surface_.onDemand(), writer_);
+    LadderStage ladders(scene_, surface_, writer_);
     traceTruth(ladders);
     record_.notices = noticesOf(scene_, record_.truth, methods_);
     compareMethods(ladders);
@@ -76,7 +75,7 @@ class StudyRun {
     // The study's own base is shown and traced even where every method draws another.
     scene_.standardBase();
     for (const MethodSpec& spec : study_.methods) {
-      MethodCase prepared = prepareMethod(scene_, spec, surface_.onDemand());
+      MethodCase prepared = prepareMethod(scene_, spec, surface_);
       requireView(prepared, study_);
       record_.methods.push_back({spec.label, prepared.method.name, prepared.method.title,
                                  prepared.method.citation, prepared.method.mark});
@@ -85,15 +84,15 @@ class StudyRun {
   }
 
   void traceTruth(LadderStage& ladders) {
-    record_.truth = surface_.record();
+    record_.truth = sizesOf(scene_, surface_);
     const surface::TextureLayout& layout = *scene_.layout;
     record_.texture = {layout.chartCount, !layout.isOneToOne, layout.sharedArea};
     for (const std::span<MethodCase> methods : {std::span(methods_), ladders.states()}) {
       shootTables(scene_, methods);
     }
-    record_.undefinedSamples = traceTruths(scene_, surface_.onDemand());
-    if (hasPictures()) pictures_.drawDisplaced(surface_.onDemand());
-    surface_.onDemand().release();  // the fine mesh goes before the coarse one comes
+    record_.undefinedSamples = traceTruths(scene_, surface_);
+    if (hasPictures()) pictures_.drawDisplaced(surface_);
+    surface_.release();  // the fine mesh goes before the coarse one comes
     traceUncertainty(scene_, record_.truth);
   }
 
@@ -210,7 +209,7 @@ class StudyRun {
   StageClock clock_;
   RunScene scene_;
   cache::CacheCounts before_;
-  TruthSurface surface_;
+  SurfaceOnDemand surface_;
   RunWriter& writer_;
   PanelPictures pictures_;
   std::vector<MethodCase> methods_;

@@ -4,7 +4,7 @@
 #include "study/run/driver_faults.h"
 #include "study/run/notices.h"
 #include "study/run/scene/environment.h"
-#include "study/run/stages/refine_stage.h"
+#include "study/run/scene/truth_stage.h"
 #include "study/spec/with_keys.h"
 
 namespace gnomon::study {
@@ -16,10 +16,10 @@ StudyRecord traceStudy(RunScene& scene, const render::GlContext& gl,
   StudyRecord record = startRecord(scene.study, gl);
   scene.standardBase();
   {
-    TruthSurface surface(scene);
-    record.truth = surface.record();
-    record.undefinedSamples = traceTruths(scene, surface.onDemand());
-    if (whileTraced) whileTraced(surface.onDemand().get());
+    SurfaceOnDemand surface = truthSurface(scene);
+    record.truth = sizesOf(scene, surface);
+    record.undefinedSamples = traceTruths(scene, surface);
+    if (whileTraced) whileTraced(surface.get());
   }  // the fine mesh goes before the coarse one comes
   traceUncertainty(scene, record.truth, whileCoarse);
   record.notices = noticesOf(scene, record.truth, {});

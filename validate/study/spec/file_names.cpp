@@ -43,7 +43,7 @@ std::vector<std::string> fileNames(const std::vector<std::string>& names,
 CaseNames caseNames(const StudySpec& study) {
   std::vector<std::string> views, lights, methods;
   for (const ViewSpec& view : study.views) views.push_back(view.name);
-  for (const LightSpec& light : study.lights) lights.push_back(light.name);
+  for (const Light& light : study.lights) lights.push_back(light.name);
   for (const MethodSpec& method : study.methods) methods.push_back(method.label);
   return {fileNames(views), fileNames(lights), fileNames(methods, {"truth", "displaced"})};
 }

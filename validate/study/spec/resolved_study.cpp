@@ -30,7 +30,7 @@ std::string copyStem(const std::string& study) {
 /// `triangles` holds where nothing else says how finely the surface is cut.
 toml::table truthTable(const StudySpec& study) {
   toml::table table = settingsOf(study.truth, study.relief.resample);
-  if (study.truth.stepTexels || study.truth.uncertainty) table.erase("triangles");
+  if (study.truth.stepTexels) table.erase("triangles");
   return table;
 }
 
@@ -51,11 +51,9 @@ toml::array tablesOf(const Entries& entries, const ToTable& toTable) {
   return array;
 }
 
-/// What a run judges, as the file has it. Claims over a sweep are the sweep's.
-void insertJudged(toml::table& table, const StudySpec& study, bool withSweep) {
+/// What a run judges, as the file has it.
+void insertJudged(toml::table& table, const StudySpec& study) {
   const auto written = [](const auto& entry) { return entry.written; };
-  std::vector<ClaimSpec> claims = study.claims;
-  std::erase_if(claims, [&](const ClaimSpec& claim) { return claim.gainGrows && !withSweep; });
   const auto insert = [&](const char* key, toml::array array) {
     table.erase(key);
     if (!array.empty()) table.insert(key, std::move(array));
@@ -63,7 +61,7 @@ void insertJudged(toml::table& table, const StudySpec& study, bool withSweep) {
   insert("threshold", tablesOf(study.thresholds, [](const Gate& gate) {
            return std::get<Threshold>(gate.origin).written;
          }));
-  insert("claim", tablesOf(claims, written));
+  insert("claim", tablesOf(study.claims, written));
   insert("ladder", tablesOf(study.ladders, written));
 }
 
@@ -83,10 +81,10 @@ toml::table resolvedStudy(const StudySpec& study, const fs::path& folder) {
                     {"base", settingsOf(study.base)},
                     {"truth", truthTable(study)},
                     {"view", tablesOf(study.views, [](const ViewSpec& v) { return tableOf(v); })},
-                    {"light", tablesOf(study.lights, [](const LightSpec& light) {
+                    {"light", tablesOf(study.lights, [](const Light& light) {
                        return settingsOf(sectionOf(light));
                      })}};
-  insertJudged(table, study, false);
+  insertJudged(table, study);
   movePaths(table, home, folder);
   table.insert("method", tablesOf(study.methods, [&](const MethodSpec& method) {
                  return tableOf(method, folder, resample);
@@ -105,7 +103,7 @@ toml::table sweepStudy(const StudySpec& step, const StudyOptions& options, const
     }
   }
   if (step.quick) table["study"].as_table()->insert_or_assign("quick", true);
-  insertJudged(table, step, true);
+  insertJudged(table, step);
   movePaths(table, studyFolder(step.file), folder);
   return table;
 }

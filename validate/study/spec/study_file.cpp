@@ -19,6 +19,7 @@
 #include "study/spec/threshold_limits.h"
 #include "study/spec/toml/toml_reader.h"
 #include "study/spec/toml/toml_text.h"
+#include "truth/disc_directions.h"
 
 namespace gnomon::study {
 namespace fs = std::filesystem;
@@ -95,7 +96,7 @@ void measureSurface(const TomlReader& root, StudySpec& study, StudyParts& parts,
       relief::borderOf(study.cage, surface, relief.field.wrap(), relief.repeats);
   relief.field = std::move(relief.field).withBorder(border);
   std::vector<Vec3> lights;
-  for (const LightSpec& light : study.lights) lights.push_back(light.lowestDirection());
+  for (const Light& light : study.lights) lights.push_back(truth::lowestOfDisc(light));
   study.radius = isStated ? horizon::SearchRadius{0, horizon::RadiusBound::stated}
                           : sharedRadius(parts, root, relief, lights);
 }
@@ -116,11 +117,8 @@ double quickStep(double step) {
 
 void readTruth(const TomlReader& section, StudySpec& study) {
   readSection(section, keysOf(study.truth, study.relief.resample));
-  if (study.truth.stepTexels && study.truth.uncertainty) {
-    section.fail("uncertainty", "`step` found beside it, one of the two expected");
-  }
-  if (section.has("triangles") && (study.truth.stepTexels || study.truth.uncertainty)) {
-    section.fail("triangles", "`step` or `uncertainty` found beside it, one of them expected");
+  if (section.has("triangles") && study.truth.stepTexels) {
+    section.fail("triangles", "`step` found beside it, one of them expected");
   }
   if (study.truth.directions % 2 != 0) {
     section.fail("directions",
@@ -131,7 +129,7 @@ void readTruth(const TomlReader& section, StudySpec& study) {
 StudyNames namesIn(const StudySpec& study) {
   StudyNames names;
   for (const MethodSpec& method : study.methods) names.methods.push_back(method.label);
-  for (const LightSpec& light : study.lights) names.lights.push_back(light.name);
+  for (const Light& light : study.lights) names.lights.push_back(light.name);
   for (const ViewSpec& view : study.views) names.views.push_back(view.name);
   names.regions = judgedRegions(study.cage.partNames);
   return names;
@@ -162,13 +160,6 @@ ClaimSpec readClaim(const TomlReader& section, const StudySpec& study) {
     }
   } else {
     readKeys(section, comparison);
-    if (claim.gainExceeds == study.name) {
-      section.fail("gain_exceeds",
-                   fmt::format("\"{}\" found, the name of another study expected", study.name));
-    }
-    if (claim.gainGrows && !claim.gainExceeds.empty()) {
-      section.fail("gain_grows", "`gain_exceeds` found beside it, one of the two expected");
-    }
   }
   claim.written = section.written();
   section.finish();
@@ -233,14 +224,13 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
   if (study.quick) {
     study.frames = 0;
     if (study.truth.stepTexels) *study.truth.stepTexels = quickStep(*study.truth.stepTexels);
-    if (study.truth.uncertainty) *study.truth.uncertainty *= 4;  // it falls as the step does
     study.truth.leastTriangles /= 16;
   }
   for (const TomlReader& view : root.tables("view")) {
     study.views.push_back(readView(view, study.quick));
   }
   for (const TomlReader& section : root.tables("light")) {
-    for (LightSpec& light : readLights(section)) study.lights.push_back(std::move(light));
+    for (Light& light : readLights(section)) study.lights.push_back(std::move(light));
   }
   readStudyBake(root, study, parts, options.isOutline);
   const MethodDefaults defaults{folder,     render::shaderFolder(), study.bake,
@@ -258,9 +248,6 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
   }
   for (const TomlReader& claim : root.optionalTables("claim")) {
     study.claims.push_back(readClaim(claim, study));
-    if (study.claims.back().gainGrows && root.find("sweep") == nullptr) {
-      claim.fail("gain_grows", "no [sweep] found, over which a gain could grow");
-    }
   }
   study.ladders = readLadders(root, study, defaults);
   (void)root.find("sweep");

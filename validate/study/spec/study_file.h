@@ -67,7 +67,7 @@ struct StudySpec : StudyHeader {
   BaseSpec base = {};
   TruthSpec truth = {};
   std::vector<ViewSpec> views = {};
-  std::vector<LightSpec> lights = {};
+  std::vector<Light> lights = {};
   std::vector<MethodSpec> methods = {};
   std::vector<Gate> thresholds = {};  ///< each with the origin Threshold
   std::vector<ClaimSpec> claims = {};

@@ -10,8 +10,7 @@ namespace gnomon::study {
 /// outline (StudyOptions) too. Counts of the same study are the same on every machine.
 struct StudyWork {
   /// Of the micro-mesh: 2 / step² for each texel of the map over the surface, with the step of the
-  /// study or the one that gives `truth.triangles`. Where the study asks for an uncertainty, whose
-  /// step only the run finds, as if it asked for none.
+  /// study or the one that gives `truth.triangles`.
   double microTriangles = 0;
   double samples = 0;  ///< of all views: pixels of cameras, whatever they show
   double rays = 0;     ///< samples × lights

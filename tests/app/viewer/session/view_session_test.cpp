@@ -176,7 +176,7 @@ TEST_F(ViewSessionTest, TellsWhatIsKnownOfAPixel) {
   const surface::SampleGrid& samples = *session.samples();
   const SceneData& scene = *session.scene();
   const TracedMesh& traced = *session.traced();
-  const truth::TraceSettings light{scene.study->lights.front().direction()};
+  const truth::TraceSettings light{{scene.study->lights.front().direction}};
   const double radiusTexels = scene.study->bake.settings.radiusTexels;
   truth::Truth truth = truth::traceShadows(*scene.surface, scene.study->relief, traced.mesh,
                                            traced.scene, samples, light);
@@ -202,7 +202,7 @@ TEST_F(ViewSessionTest, TellsWhatIsKnownOfAPixel) {
                               fmt::format("region {}: ", truth::regionName(truth.regions[i]))));
     // The horizon of a flat relief over the base surface, and its height, by the reference.
     const auto section = crossSection(*scene.surface, scene.study->relief, samples.samples[i],
-                                      light.light, {radiusTexels, 0});
+                                      light.light.direction, {radiusTexels, 0});
     ASSERT_TRUE(section);
     EXPECT_EQ(lines[3], fmt::format("horizon {:.1f}° over the surface, light {:.1f}°",
                                     std::atan(section->here.flat.slope) * 180 / pi,

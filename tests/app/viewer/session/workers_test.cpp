@@ -200,7 +200,7 @@ TEST_F(TruthTracerTest, EndsWithTheMaskThatARunTraces) {
   const truth::MicroScene scene(mesh);
   const truth::Truth truth =
       truth::traceShadows(*scene_->surface, scene_->study->relief, mesh, scene,
-                          *asked.views[0].samples, truth::TraceSettings{asked.light.direction()});
+                          *asked.views[0].samples, truth::TraceSettings{asked.light});
   EXPECT_EQ(maskOf(found.back()).samples, truth.mask.samples);
   EXPECT_EQ(found.back().share(), 1);
 }
@@ -219,11 +219,10 @@ TEST_F(TruthTracerTest, UnderADiscEndsWithTheSharesThatARunTraces) {
   const truth::MicroScene scene(mesh);
   const truth::Truth hard =
       truth::traceShadows(*scene_->surface, scene_->study->relief, mesh, scene,
-                          *asked.views[0].samples, truth::TraceSettings{asked.light.direction()});
-  const Visibility truth =
-      truth::traceVisibility(mesh, scene, *asked.views[0].samples, hard.mask,
-                             {asked.light.direction(), asked.light.radius,
-                              scene_->study->truth.directions, truth::standardRayOffset});
+                          *asked.views[0].samples, truth::TraceSettings{asked.light});
+  const Visibility truth = truth::traceVisibility(
+      mesh, scene, *asked.views[0].samples, hard.mask,
+      {asked.light, scene_->study->truth.directions, truth::standardRayOffset});
   EXPECT_TRUE(isSame(std::get<Visibility>(found.back().answers), truth));
   EXPECT_FALSE(isSame(truth, asShares(hard.mask))) << "no penumbra: the test shows nothing";
 }
@@ -246,7 +245,7 @@ TEST_F(TruthTracerTest, AnotherLightAnswersForItself) {
   worker_.request(request());
   (void)truths();
   TruthRequest low = request();
-  low.light = lightSpec({0, 11.3});
+  low.light = makeLight({0, 11.3});
   worker_.request(low);
   const auto found = truths();
   ASSERT_FALSE(found.empty());

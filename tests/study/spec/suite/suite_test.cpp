@@ -263,6 +263,34 @@ TEST_F(WrittenSuite, LikeAnotherHasItsLightsAsDiscs) {
   EXPECT_GT(radii.size(), 30U);
 }
 
+/// suite-3: where charts share the texture a relief lies in the plane, in periods of texels;
+/// elsewhere it is a solid. Its scenes are read from where they were written.
+TEST_F(WrittenSuite, SharedTextureHasPatternsOfThePlane) {
+  const SuiteSpec third = readSuite(standardSuiteFile().parent_path() / "suite-3.toml");
+  const DrawnSuite drawn = drawSuite(third, suiteMethods(), SuiteSplit::test, "1", 60);
+  writeSuite(drawn, "{}\n", file("suite"));
+  std::set<std::string> surfaces;
+  for (const SuiteStudy& study : drawn.studies) {
+    const std::string surface = study.facts["surface"].value<std::string>().value();
+    const std::string relief = study.facts["relief"].value<std::string>().value();
+    const auto of = std::find_if(third.surfaces.begin(), third.surfaces.end(),
+                                 [&](const SuiteSurface& one) { return one.name == surface; });
+    ASSERT_NE(of, third.surfaces.end());
+    EXPECT_EQ(relief.starts_with("solid "), !of->shared) << study.file;
+    EXPECT_NO_THROW(readStudy(file("suite") / study.file));
+    if (of->shared) {
+      const double texel = of->texel * 1000 / study.facts["texels"][0].value<double>().value();
+      const double feature = study.facts["feature"].value<double>().value() / texel;
+      const toml::table written = toml::parse(study.text);
+      const double period = written["relief"]["period"].value<double>().value();
+      EXPECT_GE(feature, third.fewestTexels);
+      EXPECT_NEAR(period, relief == "cells" ? feature : 3 * feature, 2e-3 * period);
+    }
+    surfaces.insert(surface);
+  }
+  EXPECT_EQ(surfaces.size(), third.surfaces.size());
+}
+
 TEST_F(WrittenSuite, LikeAnotherIsRefusedWithOneLine) {
   const auto messageFor = [&](const std::string& text) {
     std::ofstream(file("like.toml")) << text;

@@ -147,7 +147,7 @@ TEST_F(SweepGridFile, SeveralTablesAreAGridWhoseFirstKeyChangesSlowest) {
                           "bumps/height-2_elevation-60", "bumps/height-8_elevation-20",
                           "bumps/height-8_elevation-40", "bumps/height-8_elevation-60"));
   EXPECT_EQ(plan.steps[4].title, "Columns, relief.height = 8, light.0.elevation = 40");
-  EXPECT_DOUBLE_EQ(plan.steps[4].lights[0].elevation, radians(40.0));
+  EXPECT_DOUBLE_EQ(plan.steps[4].lights[0].angles.elevation, 40.0);
   EXPECT_FLOAT_EQ(plan.steps[4].relief.field.maximum() / plan.steps[0].relief.field.maximum(), 4);
   EXPECT_EQ(plan.sweep->keys[0].dimension, 0U);
   EXPECT_EQ(plan.sweep->keys[1].dimension, 1U);
@@ -210,7 +210,7 @@ TEST_F(SweepGridFile, NamesAreDistinctShortAndSafe) {
               ElementsAre("bumps/case-1", "bumps/case-2"));
 }
 
-// ---- draws
+// ---- random numbers by their place
 
 TEST(CountedRandom, IsSplitMix64) {
   // The first outputs of the generator's reference implementation for the seed 1234567.
@@ -243,96 +243,6 @@ TEST(CountedRandom, IsUniform) {
   EXPECT_NEAR(neighbours / count, 0, 4 * 1.0 / 12 / std::sqrt(count));
 }
 
-std::string draws(const std::string& key, const std::string& draw, const std::string& rest = "") {
-  return table(key, "draw = \"" + draw + "\"\n" + rest);
-}
-
-TEST_F(SweepGridFile, DrawnKeysAreDrawnTogether) {
-  const StudyPlan plan = read(draws("relief.height", "uniform:1:8", "count = 12\nseed = 5") +
-                              draws("light.0.elevation", "log-uniform:5:80"));
-  ASSERT_EQ(plan.steps.size(), 12U);
-  EXPECT_EQ(plan.steps[0].name, "bumps/draw-01");
-  EXPECT_EQ(plan.steps[11].name, "bumps/draw-12");
-  EXPECT_THAT(numbersOf(plan, 0), Each(AllOf(Ge(1), Le(8))));
-  EXPECT_THAT(numbersOf(plan, 1), Each(AllOf(Ge(5), Le(80))));
-  const std::vector<double> drawn = numbersOf(plan, 0);
-  EXPECT_EQ(std::set<double>(drawn.begin(), drawn.end()).size(), 12U);
-  EXPECT_TRUE(plan.sweep->keys[0].isDrawn);
-  EXPECT_EQ(plan.sweep->keys[1].dimension, 0U);
-  // Each by its own formula, of numbers that depend on seed, key and place alone.
-  for (std::size_t i = 0; i < 12; ++i) {
-    const double u = randomUnit(5, "relief.height", i);
-    const double v = randomUnit(5, "light.0.elevation", i);
-    EXPECT_NEAR(numbersOf(plan, 0)[i], 1 + 7 * u, 1e-8);
-    EXPECT_NEAR(numbersOf(plan, 1)[i], 5 * std::pow(16, v), 1e-6);
-  }
-}
-
-TEST_F(SweepGridFile, DrawsAreTheSameOnAnyMachine) {
-  const StudyPlan plan = read(draws("relief.height", "uniform:1:8", "count = 3") +
-                              draws("light.0.elevation", "log-uniform:5:80"));
-  EXPECT_THAT(numbersOf(plan, 0), ElementsAre(5.58699902, 1.49047816, 1.48517168));
-  EXPECT_THAT(numbersOf(plan, 1), ElementsAre(5.1937272, 20.4497088, 13.9399947));
-  // More of them are the same and more; another key beside them changes none.
-  const StudyPlan more = read(draws("relief.height", "uniform:1:8", "count = 5"));
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(numbersOf(more)[i], numbersOf(plan)[i]);
-  const StudyPlan other = read(draws("relief.height", "uniform:1:8", "count = 5\nseed = 2"));
-  EXPECT_NE(numbersOf(other)[0], numbersOf(more)[0]);
-}
-
-TEST_F(SweepGridFile, DrawsAreCrossedWithTheGrid) {
-  const StudyPlan plan =
-      read(heights("[2, 8]") + draws("light.0.elevation", "uniform:10:80", "count = 3") +
-           draws("light.0.azimuth", "uniform:0:360", ""));
-  ASSERT_EQ(plan.steps.size(), 6U);
-  EXPECT_THAT(numbersOf(plan, 0), ElementsAre(2, 2, 2, 8, 8, 8));
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (const std::size_t key : {1U, 2U}) {
-      EXPECT_EQ(numbersOf(plan, key)[i], numbersOf(plan, key)[i + 3]);
-    }
-  }
-  EXPECT_EQ(plan.steps[4].name, "bumps/height-8_draw-2");
-}
-
-TEST_F(SweepGridFile, DrawsWholeNumbersAndChoices) {
-  const StudyPlan plan =
-      read(draws("bake.azimuths", "whole:4:6", "count = 300") +
-           draws("relief.pattern", "choice", "values = [\"columns\", \"cosine\"]"));
-  std::map<double, int> azimuths;
-  std::map<std::string, int> patterns;
-  for (const SweepCase& which : plan.sweep->cases) {
-    ++azimuths[*which.values[0].number];
-    ++patterns[which.values[1].text];
-  }
-  ASSERT_EQ(azimuths.size(), 3U);
-  // Five standard deviations of a binomial distribution.
-  for (const auto& [value, count] : azimuths) EXPECT_NEAR(count, 100, 41) << value;
-  ASSERT_EQ(patterns.size(), 2U);
-  EXPECT_NEAR(patterns["cosine"], 150, 44);
-}
-
-TEST_F(SweepGridFile, RefusesDrawsThatAreNone) {
-  const auto refused = [&](const std::string& draw, const std::string& rest = "count = 2") {
-    return failure(draws("relief.height", draw, rest));
-  };
-  EXPECT_THAT(refused("normal:0:1"),
-              AllOf(StartsWith("bumps.toml:32: sweep.0.draw: \"normal:0:1\""),
-                    HasSubstr("uniform:LOW:HIGH")));
-  EXPECT_THAT(refused("uniform:1"), HasSubstr("uniform:LOW:HIGH"));
-  EXPECT_THAT(refused("uniform:8:1"), HasSubstr("LOW below HIGH"));
-  EXPECT_THAT(refused("log-uniform:0:1"), HasSubstr("LOW above 0"));
-  EXPECT_THAT(refused("whole:0.5:2"), HasSubstr("two whole numbers"));
-  EXPECT_THAT(refused("uniform:1:8", ""), StartsWith("bumps.toml:30: sweep.0.count: missing"));
-  EXPECT_THAT(refused("uniform:1:8", "count = 1"), HasSubstr("from 2 to 100000"));
-  EXPECT_THAT(refused("uniform:1:8", "count = 2\nvalues = [1, 2]"), HasSubstr("only \"choice\""));
-  EXPECT_THAT(refused("choice"), HasSubstr("sweep.0.values: missing"));
-  EXPECT_THAT(refused("uniform:1:8", "count = 2\nwith = \"a\""), HasSubstr("drawn together"));
-  EXPECT_THAT(failure(heights("[1, 2]\ncount = 3")), HasSubstr("count: found without `draw`"));
-  EXPECT_THAT(failure(draws("relief.height", "uniform:1:8", "count = 2") +
-                      draws("bake.azimuths", "whole:4:8", "count = 3")),
-              StartsWith("bumps.toml:37: sweep.1.count: 3 found, but another drawn key has 2"));
-}
-
 // ---- errors of several tables
 
 TEST_F(SweepGridFile, ErrorsNameTheTable) {
@@ -361,24 +271,6 @@ TEST_F(SweepGridFile, ErrorsNameTheTable) {
 TEST_F(SweepGridFile, RefusesTooManyCasesWithTheirNumber) {
   EXPECT_THAT(failure(heights("\"1:1000:1\"") + elevations("\"0.01:80:0.01\"")),
               HasSubstr("8000000 cases found over all tables, at most 100000 expected"));
-}
-
-TEST_F(SweepGridFile, AGainGrowsOverOneDimensionAlone) {
-  const std::string claim = R"([[claim]]
-text = "Ours is better"
-source = "us"
-less = "ours"
-than = "max-forsyth"
-gain_grows = true
-)";
-  const std::string zipped =
-      heights("[1, 2]") + table("bake.azimuths", "values = [8, 16]\nwith = \"relief.height\"");
-  EXPECT_TRUE(read(claim + zipped).steps[1].claims[0].gainGrows);
-  EXPECT_THAT(failure(claim + heights("[1, 2]") + elevations("[20, 30]")),
-              AllOf(StartsWith("bumps.toml:35: claim.0.gain_grows: "),
-                    HasSubstr("a sweep over a grid of 2 keys found")));
-  EXPECT_THAT(failure(claim + draws("relief.height", "uniform:1:8", "count = 3")),
-              HasSubstr("a sweep over random draws found"));
 }
 
 }  // namespace

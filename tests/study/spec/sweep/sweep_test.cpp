@@ -106,8 +106,8 @@ TEST_F(SweepFile, AFileWithoutOneIsOneStudy) {
 
 TEST_F(SweepFile, TakesAnyKeyThatAnOverrideTakes) {
   const StudyPlan lights = read(sweptStudy + section("light.0.elevation", "[20, 60]"));
-  EXPECT_DOUBLE_EQ(lights.steps[0].lights[0].elevation, radians(20.0));
-  EXPECT_DOUBLE_EQ(lights.steps[1].lights[0].elevation, radians(60.0));
+  EXPECT_DOUBLE_EQ(lights.steps[0].lights[0].angles.elevation, 20.0);
+  EXPECT_DOUBLE_EQ(lights.steps[1].lights[0].angles.elevation, 60.0);
   EXPECT_EQ(lights.sweep->keys[0].axis, "light.0.elevation");
   const StudyPlan added = read(sweptStudy + section("bake.azimuths", "[8, 16]"));
   EXPECT_EQ(added.steps[0].bake.settings.azimuths, 8);
@@ -171,15 +171,6 @@ TEST_F(SweepFile, IsNotBlamedForOtherErrors) {
               StartsWith("--set light.5.azimuth=1"));
   EXPECT_THAT(failure(sweep, {{"surface.sise=1"}, {}, false}),
               StartsWith("bumps.toml: surface.sise: unknown key"));
-}
-
-TEST_F(SweepFile, AGainThatGrowsNeedsOne) {
-  const std::string claim = "gain_grows = true\n";
-  EXPECT_TRUE(read(sweptStudy + claim + sweep).steps[2].claims[0].gainGrows);
-  EXPECT_FALSE(read(sweptStudy + sweep).steps[2].claims[0].gainGrows);
-  EXPECT_THAT(failure(claim), StartsWith("bumps.toml:36: claim.0.gain_grows: no [sweep] found"));
-  EXPECT_THAT(failure("gain_exceeds = \"other\"\n" + claim + sweep),
-              StartsWith("bumps.toml:37: claim.0.gain_grows: `gain_exceeds` found beside it"));
 }
 
 TEST_F(SweepFile, RecordHoldsThePlanAndItsSteps) {

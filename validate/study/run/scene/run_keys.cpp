@@ -164,14 +164,6 @@ cache::ContentKey RunKeys::surface() const {
   cache::KeyBuilder key("surface");
   key.add("place", place_);
   addSettings(key, study_.truth, Enters::scene, 1);
-  if (study_.truth.uncertainty) {
-    const MeshChoice standard{render::DrawnMesh::base, study_.base};
-    for (std::size_t v = 0; v < study_.views.size(); ++v) key.add("view", samples(standard, v));
-    for (std::size_t l = 0; l < study_.lights.size(); ++l) key.add("light", light(l));
-    const bool isSoft = std::any_of(study_.lights.begin(), study_.lights.end(),
-                                    [](const LightSpec& light) { return light.isSoft(); });
-    if (isSoft) addSettings(key, study_.truth, Enters::shares, 1);
-  }
   return key.key();
 }
 

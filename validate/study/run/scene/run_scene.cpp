@@ -81,16 +81,14 @@ MeshChoice RunScene::standardMesh() const {
 
 render::Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {
   const DrawnBase& drawn = *on.drawn.get();
-  render::Drawing drawing{drawn.gpu,
-                          heights,
-                          study.relief.field.wrap(),
-                          study.relief.space,
-                          texelsPerHeight,
-                          study.lights[light].direction(),
-                          drawn.volumes ? &*drawn.volumes : nullptr,
-                          &drawn.texture};
-  drawing.lightRadius = study.lights[light].radius;
-  return drawing;
+  return {drawn.gpu,
+          heights,
+          study.relief.field.wrap(),
+          study.relief.space,
+          texelsPerHeight,
+          study.lights[light],
+          drawn.volumes ? &*drawn.volumes : nullptr,
+          &drawn.texture};
 }
 
 std::shared_ptr<const FieldPoints> RunScene::fieldPoints(const BaseCase& on,
@@ -114,7 +112,7 @@ std::shared_ptr<const compare::LightField> RunScene::lightField(const BaseCase& 
   last_ = {};  // its memory goes before the next one's comes
   const ViewCase& seen = on.views[view];
   const ViewKind& kind = study.views[view].kind;
-  const Vec3 toLight = study.lights[light].direction();
+  const Vec3 toLight = study.lights[light].direction;
   compare::LightField made =
       points == nullptr ? makeLightField(surface, kind, seen.view, seen.samples, toLight)
                         : makeLightField(surface, kind, seen.view, seen.samples, *points, toLight);
@@ -124,7 +122,7 @@ std::shared_ptr<const compare::LightField> RunScene::lightField(const BaseCase& 
 
 SampleBins RunScene::bins(const BaseCase& on, std::size_t view, std::size_t light) const {
   const surface::SampleGrid& samples = on.views[view].samples;
-  const Vec3 toLight = study.lights[light].direction();
+  const Vec3 toLight = study.lights[light].direction;
   const std::uint64_t bytes = sizeof(AxisPlace) * samples.samples.size();
   const bool isHeld = store.canHold(bytes);
   const auto fromPlaces = [&] {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -29,8 +28,8 @@ namespace {
 /// One a light.
 std::vector<truth::TraceSettings> settingsOf(const RunScene& scene, double rayOffset) {
   std::vector<truth::TraceSettings> settings;
-  for (const LightSpec& light : scene.study.lights) {
-    settings.push_back({light.direction(), rayOffset});
+  for (const Light& light : scene.study.lights) {
+    settings.push_back({light, rayOffset});
   }
   return settings;
 }
@@ -121,17 +120,31 @@ std::vector<Value> rememberLights(RunScene& scene, const KeyOf& keyOf, const Mak
   return values;
 }
 
+/// How finely rays are traced: those of a run, or of the coarser truth that tells its uncertainty.
+struct RayFineness {
+  double rayOffset = truth::standardRayOffset;
+  int directions;  ///< toward the discs of lights
+};
+
+RayFineness rayFineness(const StudySpec& study) {
+  return {truth::standardRayOffset, study.truth.directions};
+}
+
+/// Half the offset and half the directions.
+RayFineness coarserRays(const StudySpec& study) {
+  return {truth::standardRayOffset / 2, study.truth.directions / 2};
+}
+
 /// Gives the truths of lights with discs their shares.
 /// @param lights  of these truths, by their places in the study
 void addShares(const RunScene& scene, const TracedSurface& surface,
                const surface::SampleGrid& samples, const std::vector<std::size_t>& lights,
                const RayFineness& rays, std::span<truth::Truth> truths, const Progress& progress) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    const LightSpec& light = scene.study.lights[lights[i]];
+    const Light& light = scene.study.lights[lights[i]];
     if (!light.isSoft()) continue;
-    truths[i].answerBy(truth::traceVisibility(
-        surface.mesh, surface.scene, samples, truths[i].mask,
-        {light.direction(), light.radius, rays.directions, rays.rayOffset}, progress));
+    truths[i].answerBy(truth::traceVisibility(surface.mesh, surface.scene, samples, truths[i].mask,
+                                              {light, rays.directions, rays.rayOffset}, progress));
   }
 }
 
@@ -267,6 +280,15 @@ std::shared_ptr<const TracedSurface> heldSurface(
   });
 }
 
+SurfaceOnDemand truthSurface(RunScene& scene) {
+  return SurfaceOnDemand([&scene] {
+    return heldSurface(scene, scene.keys.surface(), [&scene] {
+      return std::make_shared<const TracedSurface>(scene, scene.study.truth.ofMesh(), "micro-mesh",
+                                                   "hierarchy");
+    });
+  });
+}
+
 TruthRecord sizesOf(RunScene& scene, SurfaceOnDemand& surface) {
   const cache::ContentKey key =
       cache::KeyBuilder("sizes").add("surface", scene.keys.surface()).key();
@@ -309,32 +331,6 @@ std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface) {
     }
   }
   return undefined;
-}
-
-RayFineness rayFineness(const StudySpec& study) {
-  return {truth::standardRayOffset, study.truth.directions};
-}
-
-RayFineness coarserRays(const StudySpec& study) {
-  return {truth::standardRayOffset / 2, study.truth.directions / 2};
-}
-
-ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, const RayFineness& rays,
-                             std::string_view stage) {
-  const std::vector<truth::TraceSettings> lights = settingsOf(scene, rays.rayOffset);
-  std::vector<std::size_t> all(lights.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  ViewTruths truths;
-  for (const ViewCase& view : scene.standardBase().views) {
-    truths.push_back(scene.clock.measure(stage, [&](const Progress& progress) {
-      std::vector<truth::Truth> found =
-          truth::traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene,
-                              view.samples, lights, progress);
-      addShares(scene, surface, view.samples, all, rays, found, progress);
-      return found;
-    }));
-  }
-  return truths;
 }
 
 void traceUncertainty(RunScene& scene, TruthRecord& truth,

@@ -25,23 +25,6 @@ struct TracedSurface {
   truth::MicroScene scene;  ///< shares the mesh's vertices
 };
 
-/// Truths of the standard base's samples, [view][light].
-using ViewTruths = std::vector<std::vector<truth::Truth>>;
-
-/// How finely rays are traced: those of a run, or of the coarser truth that tells its uncertainty.
-struct RayFineness {
-  double rayOffset = truth::standardRayOffset;
-  int directions;  ///< toward the discs of lights
-};
-RayFineness rayFineness(const StudySpec& study);
-/// Half the offset and half the directions.
-RayFineness coarserRays(const StudySpec& study);
-
-/// Traces the standard base's samples under every light, with their shares of discs.
-/// @param stage  of the run's clock
-ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, const RayFineness& rays,
-                             std::string_view stage);
-
 /// A displaced surface that is built when it is first asked for: a run whose truth is in the cache
 /// never does.
 class SurfaceOnDemand {
@@ -65,7 +48,11 @@ std::shared_ptr<const TracedSurface> heldSurface(
     RunScene& scene, const cache::ContentKey& key,
     const std::function<std::shared_ptr<const TracedSurface>()>& make);
 
-/// The sizes that a run reports of the surface that its truth is traced on.
+/// The surface that a study's truth is traced on, at the study's step.
+/// @param scene  outlives it
+SurfaceOnDemand truthSurface(RunScene& scene);
+
+/// The sizes that a run reports of that surface.
 TruthRecord sizesOf(RunScene& scene, SurfaceOnDemand& surface);
 
 /// The first mesh of the scene whose samples in a view are a mesh's own, to the bit, if that is

@@ -85,7 +85,7 @@ std::vector<float> DisplacedPictures::trace(std::size_t view, std::size_t light,
               truth::seenSurface(traced.mesh, traced.scene, camera, progress));
         },
         bytes);
-    return truth::displacedPicture(*seen, traced.scene, scene.study.lights[light].direction(),
+    return truth::displacedPicture(*seen, traced.scene, scene.study.lights[light].direction,
                                    progress);
   });
 }

@@ -91,7 +91,7 @@ void LadderStage::requireStarts(std::size_t state, const CaseAnswers& found,
 
 std::string LadderStage::maskPath(std::size_t state, std::size_t light) const {
   std::vector<std::string> lights;
-  for (const LightSpec& spec : scene_.study.lights) lights.push_back(spec.name);
+  for (const Light& spec : scene_.study.lights) lights.push_back(spec.name);
   return fmt::format("masks/ladders/{}_{}.png", fileNames(lights)[light], state);
 }
 

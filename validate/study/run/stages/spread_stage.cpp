@@ -39,7 +39,7 @@ SpreadStage::SpreadStage(RunScene& scene, std::span<const MethodCase> methods, s
   const StudySpec& study = scene.study;
   errors_.view = study.views[view].name;
   errors_.tiling = tilingOf(scene, view);
-  for (const LightSpec& light : study.lights) errors_.lights.push_back(light.name);
+  for (const Light& light : study.lights) errors_.lights.push_back(light.name);
   std::vector<std::vector<compare::Counts>> none;
   for (const SampleAxis& axis : sampleAxes()) none.emplace_back(axis.edges.size() + 1);
   for (std::size_t m = 0; m < methods.size(); ++m) {

@@ -5,19 +5,14 @@
 namespace gnomon::study {
 
 /// `[[claim]]`, of one of two forms: that one method's metric is smaller than another's in every
-/// light and view (or, with `gainExceeds`, that the mean difference between them is larger than in
-/// the study of that name; or, with `gainGrows`, that it is larger at the last value of the file's
-/// sweep than at the first); or that one method's metric lies between bounds in every light and
-/// view.
+/// light and view; or that one method's metric lies between bounds in every light and view.
 struct ClaimSpec {
   std::string text, source;
   std::string less, than;  ///< method labels; empty in the second form
   std::string metric = "error_rate";
-  std::string gainExceeds;
   std::string region = "all";
   std::string method = {};  ///< label; empty in the first form
   std::optional<double> above = std::nullopt, below = std::nullopt;
-  bool gainGrows = false;
   Answer answer = Answer::drawn;
   toml::table written = {};  ///< its table in the study's file
 };
@@ -33,15 +28,10 @@ inline StudyKeys keysOf(ClaimSpec& claim, const StudyNames& names) {
 
 inline StudyKeys comparisonKeys(ClaimSpec& claim, const StudyNames& names) {
   using enum Enters;
-  return {studyKey("less", &claim.less, "label of the method whose metric is smaller", {}, required,
-                   nothing, names.methods),
-          studyKey("than", &claim.than, "label of the other", {}, required, nothing, names.methods),
-          studyKey("gain_exceeds", &claim.gainExceeds,
-                   "name of another study of the same run, where the difference is smaller", {},
-                   "none", nothing),
-          studyKey("gain_grows", &claim.gainGrows,
-                   "whether the difference at a sweep's last value exceeds the first value's", {},
-                   {}, nothing)};
+  return {
+      studyKey("less", &claim.less, "label of the method whose metric is smaller", {}, required,
+               nothing, names.methods),
+      studyKey("than", &claim.than, "label of the other", {}, required, nothing, names.methods)};
 }
 
 inline StudyKeys boundKeys(ClaimSpec& claim, const StudyNames& names) {

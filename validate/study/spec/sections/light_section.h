@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "common/vec.h"
+#include "common/light.h"
 #include "study/spec/sections/study_key.h"
 
 namespace gnomon::study {
@@ -12,20 +12,6 @@ namespace gnomon::study {
 constexpr double sunRadius = 0.266;
 /// The largest angular radius of a light, degrees.
 constexpr double largestLightRadius = 10;
-
-/// A directional light. Azimuth counter-clockwise from +x about +z, elevation over the xy plane.
-struct LightSpec {
-  std::string name;
-  double azimuth;     ///< radians
-  double elevation;   ///< radians
-  double radius = 0;  ///< of its disc, radians; 0 for a point
-  /// Whether it is a disc, of which a point may see a share.
-  [[nodiscard]] bool isSoft() const { return radius > 0; }
-  /// The unit vector toward the light: toward its disc's centre.
-  [[nodiscard]] Vec3 direction() const;
-  /// The unit vector toward the lowest point of its disc over the xy plane.
-  [[nodiscard]] Vec3 lowestDirection() const;
-};
 
 /// `[[light]]` as the file has it: one light, or every elevation with every azimuth.
 struct LightSection {
@@ -51,9 +37,9 @@ inline StudyKeys keysOf(LightSection& light) {
 
 /// The lights of a section, in the order of azimuths, and of elevations under each.
 /// @throws InputError as TomlReader, for a name of several lights and for two radii too
-std::vector<LightSpec> readLights(const TomlReader& section);
+std::vector<Light> readLights(const TomlReader& section);
 
 /// One light as a section of its own.
-LightSection sectionOf(const LightSpec& light);
+LightSection sectionOf(const Light& light);
 
 }  // namespace gnomon::study

@@ -50,25 +50,13 @@ std::string numbered(const char* name, std::size_t index, std::size_t count) {
 /// The parts of a case's name.
 class CaseNamer {
  public:
-  CaseNamer(std::span<const SweptKey> keys, std::span<const std::vector<std::size_t>> places)
-      : keys_(keys), names_(shortNames(keys)), draws_(dimensionCount(keys), 0) {
-    for (const std::vector<std::size_t>& place : places) {
-      for (std::size_t d = 0; d < place.size(); ++d) draws_[d] = std::max(draws_[d], place[d] + 1);
-    }
-  }
+  explicit CaseNamer(std::span<const SweptKey> keys) : keys_(keys), names_(shortNames(keys)) {}
 
-  [[nodiscard]] std::string name(const SweepCase& which,
-                                 const std::vector<std::size_t>& place) const {
+  [[nodiscard]] std::string name(const SweepCase& which) const {
     std::string name;
-    bool isDrawn = false;
     for (std::size_t k = 0; k < keys_.size(); ++k) {
-      if (keys_[k].isDrawn && isDrawn) continue;
-      isDrawn |= keys_[k].isDrawn;
-      const std::size_t d = keys_[k].dimension;
-      name += name.empty() ? "" : "_";
-      name += keys_[k].isDrawn
-                  ? numbered("draw", place[d], draws_[d])
-                  : fmt::format("{}-{}", plainText(names_[k]), valueName(which.values.at(k)));
+      name += fmt::format("{}{}-{}", name.empty() ? "" : "_", plainText(names_[k]),
+                          valueName(which.values.at(k)));
     }
     return name;
   }
@@ -76,7 +64,6 @@ class CaseNamer {
  private:
   std::span<const SweptKey> keys_;
   std::vector<std::string> names_;
-  std::vector<std::size_t> draws_;  ///< the steps of each dimension
 };
 
 bool areGood(std::span<const SweepCase> cases) {
@@ -88,17 +75,16 @@ bool areGood(std::span<const SweepCase> cases) {
 
 }  // namespace
 
-void nameCases(std::span<const SweptKey> keys, std::span<const std::vector<std::size_t>> places,
-               std::vector<SweepCase>& cases) {
+void nameCases(std::span<const SweptKey> keys, std::vector<SweepCase>& cases) {
   const bool areNumbers = std::all_of(cases.begin(), cases.end(), [](const SweepCase& which) {
     return which.values.front().number.has_value();
   });
-  if (keys.size() == 1 && !keys.front().isDrawn && areNumbers) {
+  if (keys.size() == 1 && areNumbers) {
     for (SweepCase& which : cases) which.name = which.values.front().text;
     return;
   }
-  const CaseNamer names(keys, places);
-  for (std::size_t c = 0; c < cases.size(); ++c) cases[c].name = names.name(cases[c], places[c]);
+  const CaseNamer names(keys);
+  for (SweepCase& which : cases) which.name = names.name(which);
   if (areGood(cases)) return;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     cases[c].name = numbered("case", c, cases.size());

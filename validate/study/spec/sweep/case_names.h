@@ -12,11 +12,8 @@ namespace gnomon::study {
 /// capital for one; of letters, digits, `-`, `_` and `.`, and at most 64 of them.
 ///   one key of numbers        the value: "0.25", "1e+20" (the only name with a `+`)
 ///   otherwise                 a part for each key, "height-2_elevation-30", by the last part of
-///                             the key's name, or by the whole name where two end alike; for all
-///                             drawn keys together the number of the draw: "draw-07"
+///                             the key's name, or by the whole name where two end alike
 ///   where these are longer, or two are the same: "case-0042", by their order
-/// @param places  of each case in each dimension
-void nameCases(std::span<const SweptKey> keys, std::span<const std::vector<std::size_t>> places,
-               std::vector<SweepCase>& cases);
+void nameCases(std::span<const SweptKey> keys, std::vector<SweepCase>& cases);
 
 }  // namespace gnomon::study

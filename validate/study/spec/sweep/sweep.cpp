@@ -63,21 +63,6 @@ StudySpec readStep(const SweptFile& file, const SweepCase& which, StudyParts& pa
   }
 }
 
-/// A gain grows from the first value of a sweep to the last: along one dimension, in its order.
-void requireOrder(const TomlReader& root, const Sweep& sweep) {
-  const std::size_t dimensions = dimensionCount(sweep.keys);
-  const bool isDrawn = sweep.keys.front().isDrawn;
-  if (dimensions == 1 && !isDrawn) return;
-  for (const TomlReader& claim : root.optionalTables("claim")) {
-    if (!claim.has("gain_grows") || !claim.flag("gain_grows")) continue;
-    claim.fail("gain_grows",
-               fmt::format("a sweep {} found, one from a first value to a last one "
-                           "expected",
-                           dimensions > 1 ? fmt::format("over a grid of {} keys", sweep.keys.size())
-                                          : std::string("over random draws")));
-  }
-}
-
 StudyPlan singlePlan(StudySpec study) {
   StudyPlan plan{study.name, study.title, study.source, std::nullopt, {}};
   plan.steps.push_back(std::move(study));
@@ -94,7 +79,6 @@ StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options,
   std::vector<TomlReader> tables = sweepTables(root);
   if (tables.empty()) return singlePlan(readStudy(text, options));
   Sweep sweep = readSweepTables(tables, options);
-  requireOrder(root, sweep);
   const SweptFile swept{text, options, std::move(tables), std::move(sweep)};
   StudyPlan plan;
   StudyParts parts;

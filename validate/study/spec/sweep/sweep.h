@@ -18,31 +18,20 @@ struct SweepTable {
   std::string key;   ///< any key of the file that an override may set
   std::string axis;  ///< the key itself, unless the file says better
   std::string with;  ///< the key of a table above, with which it steps; its own dimension if empty
-  std::string draw;  ///< random values; `values` if empty, see distributionOf
-  int count = 0;     ///< of draws; 0: as the other drawn keys have it
-  int seed = 1;      ///< of the draws
 };
 
 inline StudyKeys keysOf(SweepTable& sweep) {
   using enum Enters;
-  constexpr double most = 100'000;
   return {
       studyKey("key", &sweep.key, "any that `--set` takes, as `relief.height`", {}, required,
                nothing),
       studyKey("values",
                OwnCode{"a list, `\"FIRST:LAST:STEP\"`, or `\"log:FIRST:LAST:COUNT\"`, which "
                        "steps by a factor; both ends included"},
-               "of the key, at least two: the study runs at each", {}, "`draw` is there", nothing),
+               "of the key, at least two: the study runs at each", {}, required, nothing),
       studyKey("axis", &sweep.axis, "label of the plots' axis", {}, "the key", nothing),
       studyKey("with", &sweep.with, "the key of a table above: both step together, value by value",
-               {}, "each value with all those of the other tables", nothing),
-      studyKey("draw", &sweep.draw,
-               "random values: `uniform:LOW:HIGH`, `log-uniform:LOW:HIGH`, `whole:LOW:HIGH`, "
-               "or `choice`, of `values`. All drawn keys are drawn together",
-               {}, "`values` are there", nothing),
-      studyKey("count", &sweep.count, "draws", {2, most}, "that of another drawn key", nothing),
-      studyKey("seed", &sweep.seed, "of the draws, which are the same on every machine",
-               {0, 2147483647}, "that of another drawn key, else 1", nothing)};
+               {}, "each value with all those of the other tables", nothing)};
 }
 
 /// What all tables together ask for.
@@ -66,8 +55,8 @@ struct StudyPlan {
 using StepFilter = std::function<bool(std::size_t step)>;
 
 /// Reads and checks a study file with all its steps, or with those that are wanted.
-/// @throws InputError as readStudy and readSweepTables; for a value that its key cannot take, and
-///   for a claim that a gain grows over a sweep without an order: all name file, line and key
+/// @throws InputError as readStudy and readSweepTables; for a value that its key cannot take: all
+///   name file, line and key
 StudyPlan readStudyPlan(const std::filesystem::path& file, const StudyOptions& options = {},
                         const StepFilter& wants = {});
 

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -46,54 +45,6 @@ void requireSweepable(const Column& column, const std::vector<Column>& before,
   }
 }
 
-void requireTogether(const TomlReader& section) {
-  const bool isDrawn = section.has("draw");
-  for (const char* key : {"count", "seed"}) {
-    if (!isDrawn && section.has(key)) section.fail(key, "found without `draw`");
-  }
-  if (isDrawn && section.has("with")) {
-    section.fail("with", "found beside `draw`: all drawn keys are drawn together");
-  }
-}
-
-/// What all drawn tables agree on.
-struct Draws {
-  std::optional<int> count, seed;
-};
-
-Draws drawsOf(const std::vector<Column>& columns) {
-  Draws draws;
-  const auto agree = [](const Column& column, const char* key, int value,
-                        std::optional<int>& shared) {
-    if (!column.section->has(key)) return;
-    if (shared && *shared != value) {
-      column.section->fail(key,
-                           fmt::format("{} found, but another drawn key has {}", value, *shared));
-    }
-    shared = value;
-  };
-  const Column* first = nullptr;
-  for (const Column& column : columns) {
-    if (column.table.draw.empty()) continue;
-    if (first == nullptr) first = &column;
-    agree(column, "count", column.table.count, draws.count);
-    agree(column, "seed", column.table.seed, draws.seed);
-  }
-  if (first != nullptr && !draws.count) {
-    first->section->fail("count", "missing, the number of draws expected");
-  }
-  return draws;
-}
-
-void draw(Column& column, const Draws& draws) {
-  const SweptDistribution distribution = distributionOf(*column.section);
-  const auto seed = static_cast<std::uint64_t>(draws.seed.value_or(1));
-  for (int i = 0; i < *draws.count; ++i) {
-    column.values.push_back(
-        drawnValue(distribution, seed, column.table.key, static_cast<std::size_t>(i)));
-  }
-}
-
 /// The table above that a table steps with.
 const Column& leaderOf(const Column& column, const std::vector<Column>& columns) {
   const Column* leader = nullptr;
@@ -101,9 +52,8 @@ const Column& leaderOf(const Column& column, const std::vector<Column>& columns)
     if (&other == &column) break;
     if (other.table.key == column.table.with) leader = &other;
   }
-  if (leader == nullptr || !leader->table.draw.empty()) {
-    column.section->fail("with", fmt::format("\"{}\" found, the key of a table above it with "
-                                             "values of its own expected",
+  if (leader == nullptr) {
+    column.section->fail("with", fmt::format("\"{}\" found, the key of a table above it expected",
                                              column.table.with));
   }
   return *leader;
@@ -118,16 +68,8 @@ void readValues(Column& column) {
 
 /// Gives each table its dimension and its values.
 void arrange(std::vector<Column>& columns) {
-  const Draws draws = drawsOf(columns);
   std::size_t dimensions = 0;
-  std::optional<std::size_t> drawn;
   for (Column& column : columns) {
-    if (!column.table.draw.empty()) {
-      if (!drawn) drawn = dimensions++;
-      column.dimension = *drawn;
-      draw(column, draws);
-      continue;
-    }
     readValues(column);
     if (column.table.with.empty()) {
       column.dimension = dimensions++;
@@ -148,13 +90,12 @@ std::pair<double, std::string> identity(const SweptValue& value) {
   return value.number ? std::pair(*value.number, std::string()) : std::pair(0.0, value.written);
 }
 
-/// That no step of a dimension repeats another; draws may.
+/// That no step of a dimension repeats another.
 void requireDistinct(const std::vector<Column>& columns, std::size_t dimension) {
   std::vector<const Column*> members;
   for (const Column& column : columns) {
     if (column.dimension == dimension) members.push_back(&column);
   }
-  if (!members.front()->table.draw.empty()) return;
   std::set<std::vector<std::pair<double, std::string>>> seen;
   for (std::size_t i = 0; i < members.front()->values.size(); ++i) {
     std::vector<std::pair<double, std::string>> step;
@@ -202,7 +143,6 @@ Sweep readSweepTables(const std::vector<TomlReader>& tables, const StudyOptions&
   for (const TomlReader& section : tables) {
     Column column{&section, {}};
     readSection(section, keysOf(column.table));
-    requireTogether(section);
     requireSweepable(column, columns, options);
     if (column.table.axis.empty()) column.table.axis = column.table.key;
     columns.push_back(std::move(column));
@@ -213,10 +153,9 @@ Sweep readSweepTables(const std::vector<TomlReader>& tables, const StudyOptions&
   Sweep sweep;
   for (const Column& column : columns) {
     const SweepTable& table = column.table;
-    sweep.keys.push_back({table.key, table.axis, column.dimension, !table.draw.empty()});
+    sweep.keys.push_back({table.key, table.axis, column.dimension});
   }
   for (std::size_t d = 0; d < sizes.size(); ++d) requireDistinct(columns, d);
-  std::vector<std::vector<std::size_t>> places;
   for (std::size_t c = 0; c < count; ++c) {
     std::vector<std::size_t> place(sizes.size());
     std::size_t rest = c;
@@ -226,9 +165,8 @@ Sweep readSweepTables(const std::vector<TomlReader>& tables, const StudyOptions&
       one.values.push_back(column.values[place[column.dimension]]);
     }
     sweep.cases.push_back(std::move(one));
-    places.push_back(std::move(place));
   }
-  nameCases(sweep.keys, places, sweep.cases);
+  nameCases(sweep.keys, sweep.cases);
   return sweep;
 }
 

@@ -12,9 +12,8 @@ namespace gnomon::study {
 std::vector<TomlReader> sweepTables(const TomlReader& root);
 
 /// Reads them. Tables with values make a grid, in which the first one's change slowest; a table
-/// `with` another one steps with it. All drawn keys make up one dimension, a case a draw, in the
-/// place of the first of them.
-/// @throws InputError naming file, line and key: as sweepValues and distributionOf; for a key
+/// `with` another one steps with it.
+/// @throws InputError naming file, line and key: as sweepValues; for a key
 ///   without a second value or with repeated ones, that the file cannot have, that names the study,
 ///   that another table sets too or that `options` overrides; for tables that cannot step together;
 ///   and for more than options.mostCases cases

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "common/counted_random.h"
 #include "study/spec/toml/toml_text.h"
 
 namespace gnomon::study {
@@ -15,8 +14,6 @@ namespace {
 
 constexpr std::string_view rangesExpected =
     "\"FIRST:LAST:STEP\", \"log:FIRST:LAST:COUNT\" or a list expected";
-constexpr std::string_view drawsExpected =
-    "uniform:LOW:HIGH, log-uniform:LOW:HIGH, whole:LOW:HIGH or choice expected";
 
 std::vector<std::string_view> partsOf(std::string_view text) {
   std::vector<std::string_view> parts;
@@ -172,62 +169,6 @@ std::vector<SweptValue> sweepValues(const TomlReader& section, std::string_view 
         key, fmt::format("{} values found, at most {} expected", values.size(), mostSweepValues));
   }
   return values;
-}
-
-SweptDistribution distributionOf(const TomlReader& section) {
-  using Kind = SweptDistribution::Kind;
-  const RangeText range{section, "draw", section.text("draw")};
-  const std::vector<std::string_view> parts = partsOf(range.text);
-  if (range.text == "choice") return {Kind::choice, 0, 0, sweepValues(section, "values")};
-  if (section.has("values")) {
-    section.fail("values",
-                 fmt::format("found beside draw = \"{}\", only \"choice\" takes them", range.text));
-  }
-  const auto bounds = numbersOf(std::span(parts).subspan(1));
-  if (!bounds || bounds->size() != 2) range.refuse(drawsExpected);
-  SweptDistribution distribution{Kind::uniform, bounds->at(0), bounds->at(1)};
-  if (parts[0] == "log-uniform") {
-    distribution.kind = Kind::logUniform;
-  } else if (parts[0] == "whole") {
-    distribution.kind = Kind::whole;
-  } else if (parts[0] != "uniform") {
-    range.refuse(drawsExpected);
-  }
-  if (!(distribution.low < distribution.high)) range.refuse("LOW below HIGH expected");
-  if (distribution.kind == Kind::logUniform && !(distribution.low > 0)) {
-    range.refuse("LOW above 0 expected");
-  }
-  const auto isWhole = [](double bound) {
-    return bound == std::floor(bound) && std::abs(bound) <= 2147483647;
-  };
-  if (distribution.kind == Kind::whole &&
-      !(isWhole(distribution.low) && isWhole(distribution.high))) {
-    range.refuse("two whole numbers expected");
-  }
-  return distribution;
-}
-
-SweptValue drawnValue(const SweptDistribution& distribution, std::uint64_t seed,
-                      std::string_view key, std::size_t index) {
-  constexpr int digits = 9;
-  const double u = randomUnit(seed, key, index);
-  const double low = distribution.low;
-  const double high = distribution.high;
-  const auto number = [&](double value) {
-    return sweptNumber(std::clamp(rounded(value, digits), low, high));
-  };
-  switch (distribution.kind) {
-    case SweptDistribution::Kind::uniform:
-      return number(low + u * (high - low));
-    case SweptDistribution::Kind::logUniform:
-      return number(low * std::pow(high / low, u));
-    case SweptDistribution::Kind::whole:
-      return sweptNumber(low + std::floor(u * (high - low + 1)));
-    case SweptDistribution::Kind::choice:
-      break;
-  }
-  const auto count = static_cast<double>(distribution.values.size());
-  return distribution.values.at(static_cast<std::size_t>(u * count));
 }
 
 }  // namespace gnomon::study

@@ -24,25 +24,4 @@ constexpr std::size_t mostSweepValues = 100'000;
 /// @throws InputError for anything else, and for over mostSweepValues values
 std::vector<SweptValue> sweepValues(const TomlReader& section, std::string_view key);
 
-/// What a key is drawn from.
-struct SweptDistribution {
-  enum class Kind { uniform, logUniform, whole, choice };
-  Kind kind = Kind::uniform;
-  double low = 0, high = 1;             ///< both included
-  std::vector<SweptValue> values = {};  ///< of a choice
-};
-
-/// The distribution of a `[[sweep]]` table with `draw`:
-///   "uniform:5:85"          low + u·(high - low)
-///   "log-uniform:0.01:1"    low·(high/low)^u, both above 0
-///   "whole:1:6"             a whole number, each as likely as any other
-///   "choice"                of `values`, likewise
-/// @throws InputError for anything else
-SweptDistribution distributionOf(const TomlReader& section);
-
-/// One draw of a key, rounded to 9 digits: with u = randomUnit(seed, key, index). It depends
-/// neither on the other keys nor on the number of draws.
-SweptValue drawnValue(const SweptDistribution& distribution, std::uint64_t seed,
-                      std::string_view key, std::size_t index);
-
 }  // namespace gnomon::study

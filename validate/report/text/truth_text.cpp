@@ -1,4 +1,4 @@
-#include "report/text/refinement_text.h"
+#include "report/text/truth_text.h"
 
 #include <fmt/core.h>
 
@@ -45,21 +45,6 @@ std::string truthErrorText(const study::TruthRecord& truth) {
       "the mean the coarser truth is {} by {:.2g}.",
       flip.flipRate, where, *flip.percentile999, change < 0 ? "darker" : "brighter",
       std::abs(change));
-}
-
-std::string refinementText(const study::TruthRecord& truth) {
-  if (!truth.wantedUncertainty) return "";
-  std::string text =
-      fmt::format("Refined until at most {} % of the samples differ from the level before:",
-                  flipText(truth.wantedUncertainty));
-  const char* separator = " ";
-  for (const study::RefinementRecord& level : truth.refinement) {
-    text += fmt::format("{}step {} ({} micro-triangles", separator, stepText(level.stepTexels),
-                        groupedText(level.microTriangles));
-    text += level.flipRate ? fmt::format(", {} %)", flipText(level.flipRate)) : ")";
-    separator = ", ";
-  }
-  return text + ".";
 }
 
 }  // namespace gnomon::report

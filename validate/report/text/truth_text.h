@@ -10,11 +10,6 @@ namespace gnomon::report {
 /// "83 texels: a ray to the light …".
 std::string radiusText(const study::RadiusRecord& radius);
 
-/// How the truth's step was found: "Refined until at most 0.1 % of the samples differ from the
-/// level before: step 1 (61 440 micro-triangles), step 0.5 (245 760 micro-triangles, 1.24 %), …".
-/// Empty where no uncertainty was asked for.
-std::string refinementText(const study::TruthRecord& truth);
-
 /// The truth's own error, of the view and light where it is largest: in the mean, at 99.9 % of the
 /// samples of a soft light, and whether coarse facets darken or brighten. Empty where it was not
 /// measured.
