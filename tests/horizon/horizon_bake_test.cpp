@@ -202,44 +202,6 @@ TEST(HorizonBake, AStepIsSeenFromItsEdge) {
   }
 }
 
-TEST(HorizonBake, AStepBeyondTheRadiusIsNotSeen) {
-  const relief::HeightField step =
-      sampled(64, 1, relief::Wrap::clamp, [](int x, int) { return x < 40 ? 0.0 : 3.0; });
-  const HorizonTables tables = bakeHorizons(step, {1, 10});
-  EXPECT_EQ(horizonAt(tables, 0, 28, 0), 0);
-  EXPECT_FLOAT_EQ(horizonAt(tables, 0, 30, 0), 0.3F) << "at the radius itself";
-  // The wall is one texel wide: half a texel before its edge it is half as high.
-  const HorizonTables half = bakeHorizons(step, {1, 10.5});
-  EXPECT_FLOAT_EQ(horizonAt(half, 0, 29, 0), static_cast<float>(1.5 / 10.5));
-  EXPECT_FLOAT_EQ(distanceAt(half, 0, 29, 0), 10.5F);
-}
-
-TEST(HorizonBake, AWedgeIsSeenUpToTheRadiusThenFromItsRidge) {
-  // Ground 0 up to x = 10, then a ramp of slope 1/2 to a ridge of height 8 at x = 26, then down.
-  const relief::HeightField roof = sampled(96, 4, relief::Wrap::clamp, [](int x, int) {
-    return std::max(0.0, std::min(x - 10, 42 - x) * 0.5);
-  });
-  const HorizonTables ridge = bakeHorizons(roof, {8, 64});
-  const HorizonTables ramp = bakeHorizons(roof, {8, 16});
-  for (const int m : {0, 1, 7}) {
-    const double c = m == 0 ? 1 : std::sqrt(0.5);
-    for (int x = 2; x < 10; ++x) {
-      EXPECT_NEAR(horizonAt(ridge, m, x, 1), 8 * c / (26 - x), 8e-6);
-      EXPECT_NEAR(distanceAt(ridge, m, x, 1), (26 - x) / c, 1e-4);
-      // The ray ends on the ramp: the slope still grows there.
-      const double height = std::max(0.0, (x + 16 * c - 10) * 0.5);
-      EXPECT_NEAR(horizonAt(ramp, m, x, 1), height / 16, 8e-6);
-      if (height > 0.1) {
-        EXPECT_FLOAT_EQ(distanceAt(ramp, m, x, 1), 16);
-      }
-    }
-    for (int x = 10; x < 26; ++x) {
-      EXPECT_NEAR(horizonAt(ridge, m, x, 1), 0.5 * c, 8e-6);
-      EXPECT_EQ(distanceAt(ridge, m, x, 1), 0) << "on the ramp, attached";
-    }
-  }
-}
-
 TEST(HorizonBake, AConeIsSeenFromItsApex) {
   // Apex 6 high at texel (32, 32), slope 1: foot at 6 texels.
   const relief::HeightField cone = sampled(64, 64, relief::Wrap::clamp, [](int x, int y) {
@@ -260,21 +222,6 @@ TEST(HorizonBake, AConeIsSeenFromItsApex) {
     EXPECT_FLOAT_EQ(horizonAt(tables, 0, 32 - k, 32), 1);
     EXPECT_EQ(distanceAt(tables, 0, 32 - k, 32), 0) << "all of its slope ties: attached";
   }
-}
-
-TEST(HorizonBake, ASaddleIsSeenFromInsideItsCell) {
-  // Texels (3, 2) and (2, 3) are 1, all others 0. Along the diagonal from texel (0, 0) the cell
-  // between them has height 2 t (1 - t) at distance √2 (2 + t): most at t = √6 - 2.
-  const relief::HeightField saddle = sampled(12, 12, relief::Wrap::clamp, [](int x, int y) {
-    return (x == 3 && y == 2) || (x == 2 && y == 3) ? 1.0 : 0.0;
-  });
-  const HorizonTables tables = bakeHorizons(saddle, {8, 8});
-  const double t = std::sqrt(6.0) - 2;
-  EXPECT_NEAR(horizonAt(tables, 1, 0, 0), 2 * t * (1 - t) / std::sqrt(12.0), 1e-6);
-  EXPECT_NEAR(distanceAt(tables, 1, 0, 0), std::sqrt(12.0), 1e-5);
-  // A radius that ends inside that cell, before and after the peak.
-  EXPECT_NEAR(distanceAt(bakeHorizons(saddle, {8, 3.3}), 1, 0, 0), 3.3, 1e-5);
-  EXPECT_NEAR(distanceAt(bakeHorizons(saddle, {8, 3.6}), 1, 0, 0), std::sqrt(12.0), 1e-5);
 }
 
 // --- identities ---------------------------------------------------------------------------------

@@ -62,38 +62,6 @@ TEST_F(Images, MasksAreEightBitGreys) {
   EXPECT_EQ(bytes[25], 0);
 }
 
-TEST_F(Images, FewColoursAreWrittenAsAPalette) {
-  PaletteImage image{2, 2, {{1, 2, 3}, {250, 0, 7}, {9, 9, 9}}, {2, 0, 1, 0}};
-  writePng(folder_ / "few.png", image);
-  EXPECT_EQ(test::readImage(folder_ / "few.png").rgb,
-            (std::vector<std::uint8_t>{9, 9, 9, 1, 2, 3, 250, 0, 7, 1, 2, 3}));
-  EXPECT_EQ(unfolded(image).rgb, test::readImage(folder_ / "few.png").rgb);
-  EXPECT_EQ(readFile(folder_ / "few.png")[25], 3);  // IHDR's colour type
-  image.colours.clear();
-  EXPECT_THROW((void)pngOf(image), InternalError);
-  image.colours.assign(257, Rgb{});
-  EXPECT_THROW((void)pngOf(image), InternalError);
-  image.colours.assign(256, Rgb{});
-  EXPECT_NO_THROW((void)pngOf(image));
-}
-
-TEST_F(Images, ColoursSurviveTheFileExactly) {
-  Image image{16, 16, {}};
-  for (int i = 0; i < 3 * 256; ++i) image.rgb.push_back(static_cast<std::uint8_t>((i * 89) % 256));
-  writePng(folder_ / "all.png", image);
-  const Image back = test::readImage(folder_ / "all.png");
-  EXPECT_EQ(back.width, image.width);
-  EXPECT_EQ(back.height, image.height);
-  EXPECT_EQ(back.rgb, image.rgb);
-}
-
-TEST_F(Images, SameImageSameBytes) {
-  const ByteImage image = maskImage(Mask{2, 1, {lit, dark}});
-  writePng(folder_ / "one.png", image);
-  writePng(folder_ / "two.png", image);
-  EXPECT_EQ(readFile(folder_ / "one.png"), readFile(folder_ / "two.png"));
-}
-
 TEST_F(Images, DifferenceIsSigned) {
   const Mask candidate{5, 1, {lit, dark, dark, lit, none}};
   const Mask truth{5, 1, {lit, dark, lit, dark, none}};

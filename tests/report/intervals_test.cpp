@@ -73,31 +73,6 @@ study::StudyRecord recordWithBudgets() {
   return made;
 }
 
-TEST(BudgetFiles, HoldEveryFigure) {
-  const nlohmann::json summary = nlohmann::json::parse(summaryJson(recordWithBudgets()));
-  ASSERT_EQ(summary.at("budget").size(), 6U);
-  const nlohmann::json& json = summary.at("budget").at(0);
-  EXPECT_EQ(json.at("method"), "close");
-  EXPECT_EQ(json.at("light"), "all");
-  EXPECT_EQ(json.at("blocks"), 64);
-  EXPECT_DOUBLE_EQ(json.at("order_dependence"), 0.005);
-  EXPECT_DOUBLE_EQ(json.at("total").at("share"), 0.05);
-  double sum =
-      json.at("distant").at("share").get<double>() + json.at("other").at("share").get<double>();
-  for (const nlohmann::json& cause : json.at("causes")) {
-    sum += cause.at("forward").at("share").get<double>();
-  }
-  EXPECT_NEAR(sum, 0.05, 1e-15);
-  const nlohmann::json& cause = json.at("causes").at(2);
-  EXPECT_EQ(cause.at("cause"), "formula");
-  EXPECT_DOUBLE_EQ(cause.at("backward").at("share"), 0.01);
-  EXPECT_DOUBLE_EQ(cause.at("backward").at("low"), 0.009);
-  EXPECT_DOUBLE_EQ(cause.at("backward").at("high"), 0.012);
-  EXPECT_EQ(cause.at("forward").at("distinguishable"), false);
-  EXPECT_DOUBLE_EQ(json.at("backward_states").at(2).at("false_shadow"), 0.04);
-  EXPECT_TRUE(nlohmann::json::parse(summaryJson(test::sampleRecord())).at("budget").empty());
-}
-
 TEST(BudgetFiles, CsvHasARowAPart) {
   const std::string csv = csvTable(budgetPartsTable(recordWithBudgets()));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 8);
@@ -203,30 +178,6 @@ TEST(ConfidenceText, RanksWhatAllLightsTogetherGive) {
   EXPECT_EQ(ranked[2].light, "all");
   EXPECT_EQ(confidenceViews(recordOfThree()), std::vector<std::string>{"camera"});
   EXPECT_TRUE(rankedIn(recordOfThree(), "atlas").empty());
-}
-
-TEST(ConfidenceJson, HoldsEveryFigure) {
-  const auto json = nlohmann::ordered_json::parse(summaryJson(recordOfThree()));
-  EXPECT_EQ(json["confidence"][0].dump(),
-            R"({"method":"rough, \"old\"","view":"camera","light":"all","error_rate":0.1,)"
-            R"("low":0.08,"high":0.13,"reason":null,"blocks":25,"block_side":40})");
-  EXPECT_EQ(json["confidence"][3]["low"], nullptr);
-  EXPECT_EQ(json["confidence"][3]["reason"], "too few blocks");
-  EXPECT_EQ(json["differences"][0].dump(),
-            R"({"view":"camera","light":"all","first":"rough, \"old\"","second":"close",)"
-            R"("difference":0.088,"low":0.07,"high":0.11,"reason":null,"uncertainty":0.003,)"
-            R"("verdict":"worse"})");
-  EXPECT_EQ(json["differences"][2]["high"], nullptr);
-  EXPECT_EQ(json["differences"][2]["reason"], "too few differ");
-  EXPECT_EQ(json["differences"][2]["verdict"], "no interval");
-  EXPECT_EQ(json["bins"][0].dump(),
-            R"({"method":"best","view":"camera","light":"all","axis":"elevation","low":null,)"
-            R"("high":10.0,"samples":10,"tp":1.0,"fp":2.0,"fn":3.0,"tn":4.0,"error_rate":0.5,)"
-            R"("false_shadow":0.2,"false_light":0.3})");
-  EXPECT_EQ(json["bins"][1]["high"], nullptr);
-  study::StudyRecord broken = recordOfThree();
-  broken.confidence[0].interval->high = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(summaryJson(broken), InternalError);
 }
 
 /// One record with every answer: each format has the same sign of each.

@@ -187,44 +187,29 @@ TEST(SummaryJson, EmptyListsAreListsAndNotNull) {
 }
 
 TEST(SummaryJson, RefusesNumbersThatAreNotFinite) {
+  using Spoil = void (*)(study::StudyRecord&, double);
+  constexpr Spoil spoils[] = {
+      [](study::StudyRecord& record, double bad) { record.truth.uncertainty = bad; },
+      [](study::StudyRecord& record, double bad) { record.truth.flips[1].flipRate = bad; },
+      [](study::StudyRecord& record, double bad) { record.truth.flips[1].lengthError = bad; },
+      [](study::StudyRecord& record, double bad) { record.results[0].lengths->ratio = bad; },
+      [](study::StudyRecord& record, double bad) { record.results[0].boundaries[0].value = bad; },
+      [](study::StudyRecord& record, double bad) {
+        record.truth.flips[1].boundaries[1].value = bad;
+      },
+      [](study::StudyRecord& record, double bad) { record.truth.stepTexels = bad; },
+      [](study::StudyRecord& record, double bad) { record.results[0].counts.truePositive = bad; },
+      [](study::StudyRecord& record, double bad) { record.timings[0].seconds = bad; },
+      [](study::StudyRecord& record, double bad) { record.cost[0].frameMs = bad; },
+      [](study::StudyRecord& record, double bad) { record.judgements[0].value = bad; },
+      [](study::StudyRecord& record, double bad) { record.judgements[0].gate.maximum = bad; }};
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    study::StudyRecord record = sampleRecord();
-    record.truth.uncertainty = bad;
-    EXPECT_THROW(summaryJson(record), InternalError);
-    record = sampleRecord();
-    record.truth.flips[1].flipRate = bad;
-    EXPECT_THROW(summaryJson(record), InternalError);
-    record = sampleRecord();
-    record.truth.flips[1].lengthError = bad;
-    EXPECT_THROW(summaryJson(record), InternalError);
-    record = sampleRecord();
-    record.results[0].lengths->ratio = bad;
-    EXPECT_THROW(summaryJson(record), InternalError);
-    record = sampleRecord();
-    record.results[0].boundaries[0].value = bad;
-    EXPECT_THROW(summaryJson(record), InternalError);
-    record = sampleRecord();
-    record.truth.flips[1].boundaries[1].value = bad;
-    EXPECT_THROW(summaryJson(record), InternalError);
-    record = sampleRecord();
-    record.truth.stepTexels = bad;
-    EXPECT_THROW(summaryJson(record), InternalError);
-    record = sampleRecord();
-    record.results[0].counts.truePositive = bad;
-    EXPECT_THROW(summaryJson(record), InternalError);
-    record = sampleRecord();
-    record.timings[0].seconds = bad;
-    EXPECT_THROW(summaryJson(record), InternalError);
-    record = sampleRecord();
-    record.cost[0].frameMs = bad;
-    EXPECT_THROW(summaryJson(record), InternalError);
-    record = sampleRecord();
-    record.judgements[0].value = bad;
-    EXPECT_THROW(summaryJson(record), InternalError);
-    record = sampleRecord();
-    record.judgements[0].gate.maximum = bad;
-    EXPECT_THROW(summaryJson(record), InternalError);
+    for (const Spoil spoil : spoils) {
+      study::StudyRecord record = sampleRecord();
+      spoil(record, bad);
+      EXPECT_THROW(summaryJson(record), InternalError);
+    }
   }
 }
 

@@ -230,34 +230,6 @@ TEST(StudyRanking, NothingIsNotRanked) {
 
 // ---- as files
 
-TEST(RankingJson, HoldsRanksResultsAndClaims) {
-  std::vector<study::StudyMeans> studies = threeStudies();
-  studies[1].claims = {{"Curved is better", "§4", study::Verdict::held, "1 of 1"}};
-  studies[0].status = study::RunStatus::pass;
-  studies[1].status = study::RunStatus::fail;
-  const auto json = nlohmann::json::parse(rankingJson(studies, "gnomon run a b c"));
-  EXPECT_EQ(json["schema"], "gnomon-ranking/2");
-  EXPECT_EQ(json["status"], "fail");
-  EXPECT_EQ(json["command"], "gnomon run a b c");
-  EXPECT_EQ(json["studies"][0]["report"], "a/report.html");
-  EXPECT_EQ(json["studies"][0]["status"], "pass");
-  EXPECT_EQ(json["studies"][1]["status"], "fail");
-  ASSERT_EQ(json["methods"].size(), 3U);
-  EXPECT_EQ(json["methods"][0]["label"], "curved");
-  EXPECT_EQ(json["methods"][0]["rank"], 1);
-  EXPECT_EQ(json["methods"][0]["mean_error_rate"].get<double>(), (0.03 + 0.02 + 0.01) / 3);
-  EXPECT_TRUE(json["methods"][0]["leader_error_rate"].is_null());
-  EXPECT_TRUE(json["methods"][2]["rank"].is_null());
-  EXPECT_EQ(json["methods"][2]["worst_study"], "b");
-  ASSERT_EQ(json["results"].size(), 7U);
-  EXPECT_EQ(json["results"][2]["study"], "b");
-  EXPECT_EQ(json["results"][0]["false_shadow"], 0.005);
-  EXPECT_EQ(json["results"][0]["false_light"], 0.015);
-  ASSERT_EQ(json["claims"].size(), 1U);
-  EXPECT_EQ(json["claims"][0]["study"], "b");
-  EXPECT_EQ(json["claims"][0]["verdict"], "held");
-}
-
 TEST(RankingJson, RefusesFiguresThatAreNotFinite) {
   std::vector<study::StudyMeans> studies = threeStudies();
   studies[0].methods[0].uncertainty = std::numeric_limits<double>::quiet_NaN();

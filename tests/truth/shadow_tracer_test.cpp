@@ -49,26 +49,6 @@ double lastShadowed(const Truth& truth) {
   return (last + 1) / static_cast<double>(truth.mask.size());
 }
 
-class WallShadow : public testing::TestWithParam<std::pair<double, double>> {};
-
-TEST_P(WallShadow, IsAsLongAsTheTangentOfTheLightSays) {
-  const auto [azimuth, elevation] = GetParam();
-  const TruthScene scene(wallPlane(), wallRelief(), 0.25);
-  // The light stands on the wall's far side, turned by `azimuth` from straight across.
-  const Vec3 light = lightToward(180 + azimuth, elevation);
-  const double length = 6 / std::tan(radians(elevation)) * std::cos(radians(azimuth));
-  constexpr int count = 4000;
-  const Truth truth =
-      scene.trace(sampleLine(scene.surface, scene.relief, {32.5, 16}, {62.5, 16}, count), light);
-  EXPECT_NEAR(lastShadowed(truth) * 30 + 32.5, 31.5 + length, 30.0 / count + 2e-3);
-}
-
-INSTANTIATE_TEST_SUITE_P(Lights, WallShadow,
-                         testing::Values(std::pair{0.0, 60.0}, std::pair{0.0, 45.0},
-                                         std::pair{0.0, 20.0}, std::pair{0.0, 13.0},
-                                         std::pair{25.0, 45.0}, std::pair{-40.0, 30.0},
-                                         std::pair{30.0, 15.0}));
-
 TEST(ShadowTracer, FacetsTurnedFromTheLightAreAttached) {
   const TruthScene scene(wallPlane(), wallRelief(), 0.25);
   // The wall's lee side, between the centres of its last texel and the next.
