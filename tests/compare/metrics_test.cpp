@@ -90,7 +90,7 @@ TEST(MaskMetrics, AreTheRatesAndTheBoundariesByTheirNames) {
   EXPECT_TRUE(boundaries[0].value);
 }
 
-constexpr MetricRange share{};
+constexpr MetricRange rangeOfShare{};
 
 /// Half of the samples shadowed, drawn one by one: the same for the same seed.
 Mask randomMask(int side, unsigned seed) {
@@ -144,31 +144,31 @@ TEST(MetricRange, OfDistancesAndLengthsIsThePictures) {
 }
 
 TEST(LimitOfText, TakesAPercentageOfAShareToTheSameDouble) {
-  EXPECT_EQ(limitOfText("5 %", share), 0.05);
-  EXPECT_EQ(limitOfText("0.7%", share), 0.007);
-  EXPECT_EQ(limitOfText("12.5  %", share), 0.125);
-  EXPECT_EQ(limitOfText("100 %", share), 1.0);
-  EXPECT_EQ(limitOfText("0.05", share), 0.05);
+  EXPECT_EQ(limitOfText("5 %", rangeOfShare), 0.05);
+  EXPECT_EQ(limitOfText("0.7%", rangeOfShare), 0.007);
+  EXPECT_EQ(limitOfText("12.5  %", rangeOfShare), 0.125);
+  EXPECT_EQ(limitOfText("100 %", rangeOfShare), 1.0);
+  EXPECT_EQ(limitOfText("0.05", rangeOfShare), 0.05);
 }
 
 TEST(LimitOfText, TakesNothingElse) {
   for (const char* text : {"", "%", " %", "five %", "5 %%", "% 5", "5 % ", "1e2 %", "nan %",
                            "inf %", "0x5 %", "5,0 %", "--5 %", "5 percent", "5‰"}) {
-    EXPECT_FALSE(limitOfText(text, share)) << text;
+    EXPECT_FALSE(limitOfText(text, rangeOfShare)) << text;
   }
   EXPECT_FALSE(limitOfText("5 %", metricRange("mcc", {})));
   EXPECT_FALSE(limitOfText("5 %", metricRange("hd95", {10, 10})));
 }
 
 TEST(RequireInRange, RefusesWhatTheMetricCannotBe) {
-  EXPECT_NO_THROW(requireInRange(0, "error_rate", share));
-  EXPECT_NO_THROW(requireInRange(1, "iou", share));
+  EXPECT_NO_THROW(requireInRange(0, "error_rate", rangeOfShare));
+  EXPECT_NO_THROW(requireInRange(1, "iou", rangeOfShare));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double limit : {-0.1, 1.0000001, 20.0, 1e300, -5.0, infinite, -infinite, nan}) {
-    EXPECT_THROW(requireInRange(limit, "error_rate", share), InputError) << limit;
+    EXPECT_THROW(requireInRange(limit, "error_rate", rangeOfShare), InputError) << limit;
   }
-  EXPECT_EQ(messageOf<InputError>([] { requireInRange(20, "error_rate", share); }),
+  EXPECT_EQ(messageOf<InputError>([] { requireInRange(20, "error_rate", rangeOfShare); }),
             "20 found, 0 to 1 expected; error_rate is a share: 0.05, or \"5 %\"");
   EXPECT_EQ(messageOf<InputError>([] { requireInRange(-2, "mcc", metricRange("mcc", {})); }),
             "-2 found, -1 to 1 expected");
@@ -176,7 +176,7 @@ TEST(RequireInRange, RefusesWhatTheMetricCannotBe) {
 
 TEST(RequireMissable, RefusesWhatNothingCanFail) {
   const auto require = [](std::optional<double> minimum, std::optional<double> maximum) {
-    requireMissable(minimum, maximum, "error_rate", share);
+    requireMissable(minimum, maximum, "error_rate", rangeOfShare);
   };
   EXPECT_NO_THROW(require({}, 0));
   EXPECT_NO_THROW(require({}, 0.999));

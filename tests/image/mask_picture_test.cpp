@@ -26,7 +26,7 @@ using ::testing::HasSubstr;
 constexpr Shade isLit = Shade::lit;
 constexpr Shade isDark = Shade::shadowed;
 constexpr Shade isNone = Shade::none;
-constexpr float grey = 128.0F / 255.0F;
+constexpr float middleGrey = 128.0F / 255.0F;
 
 class MaskPictures : public TemporaryFolder {
  protected:
@@ -44,7 +44,7 @@ class MaskPictures : public TemporaryFolder {
     EXPECT_THAT(message, HasSubstr(name));
     return message;
   }
-  const std::vector<float> values_ = {1, 0, grey, 0, 1, 1};
+  const std::vector<float> values_ = {1, 0, middleGrey, 0, 1, 1};
   const std::vector<Shade> shades_ = {isLit, isDark, isNone, isDark, isLit, isLit};
 };
 
@@ -137,7 +137,7 @@ TEST_F(MaskPictures, PartialCoverNeedsAThresholdAndIsDividedOut) {
 }
 
 TEST_F(MaskPictures, AThresholdPartsEveryValueOfASoftMask) {
-  test::writePicture(file("soft.exr"), {3, 2, {"Y"}, {0.9F, 0.1F, grey, 0.5F, 0, 1.2F}});
+  test::writePicture(file("soft.exr"), {3, 2, {"Y"}, {0.9F, 0.1F, middleGrey, 0.5F, 0, 1.2F}});
   EXPECT_THAT(refusal("soft.exr"), AllOf(HasSubstr("4 of 6 pixels are neither black, white"),
                                          HasSubstr("first 0.9 at column 0, row 0")));
   const MaskPicture picture = readMaskPicture(file("soft.exr"), {{}, 0.5});

@@ -39,7 +39,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::SizeIs;
 
-using Lines = std::vector<std::vector<std::string>>;
+using CsvLines = std::vector<std::vector<std::string>>;
 
 std::string metricsCsv(const study::StudyRecord& record) {
   return csvTable(metricsTable(record));
@@ -47,8 +47,8 @@ std::string metricsCsv(const study::StudyRecord& record) {
 
 /// A reader of RFC 4180, written from the standard: quotes may hold commas, line breaks and doubled
 /// quotes.
-Lines parse(const std::string& csv) {
-  Lines table;
+CsvLines parse(const std::string& csv) {
+  CsvLines table;
   std::vector<std::string> row;
   std::string cell;
   bool inQuotes = false;
@@ -76,7 +76,7 @@ Lines parse(const std::string& csv) {
   return table;
 }
 
-std::size_t column(const Lines& table, const std::string& name) {
+std::size_t column(const CsvLines& table, const std::string& name) {
   for (std::size_t i = 0; i < table[0].size(); ++i) {
     if (table[0][i] == name) return i;
   }
@@ -86,7 +86,7 @@ std::size_t column(const Lines& table, const std::string& name) {
 
 TEST(MetricsCsv, OneRowAResultAndOneCellAColumn) {
   const study::StudyRecord record = sampleRecord();
-  const Lines table = parse(metricsCsv(record));
+  const CsvLines table = parse(metricsCsv(record));
   ASSERT_EQ(table.size(), 1 + 3 * 2 * 4U);
   for (const auto& row : table) EXPECT_EQ(row.size(), 11 + study::pointLightMetricNames().size());
   EXPECT_EQ(metricsCsv(record).substr(0, 64),
@@ -95,7 +95,7 @@ TEST(MetricsCsv, OneRowAResultAndOneCellAColumn) {
 
 TEST(MetricsCsv, ValuesReadBackExactly) {
   const study::StudyRecord record = sampleRecord();
-  const Lines table = parse(metricsCsv(record));
+  const CsvLines table = parse(metricsCsv(record));
   for (std::size_t i = 0; i < record.results.size(); ++i) {
     const study::ResultRecord& result = record.results[i];
     const auto& row = table[i + 1];

@@ -23,12 +23,12 @@
 namespace gnomon::render {
 namespace {
 
-using test::above;
 using test::arch;
 using test::cameraAt;
 using test::difference;
 using test::DisplacedScene;
 using test::flatRelief;
+using test::fromAbove;
 using test::judge;
 using test::lightToward;
 using test::randomRelief;
@@ -48,7 +48,7 @@ relief::Relief box(double height) {
 TEST(RealGeometry, UndisplacedPlaneIsLitWhole) {
   const GlContext gl;
   const DisplacedScene scene(surface::makePlane(48, 48, 6, 6), flatRelief(48, 48), 9);
-  for (const Camera& camera : {above, cameraAt({10, -70, 30}, {0, 0, 0}, 40, 96)}) {
+  for (const Camera& camera : {fromAbove, cameraAt({10, -70, 30}, {0, 0, 0}, 40, 96)}) {
     const RenderView view = cameraView(camera, scene.displaced.mesh);
     for (const auto& [azimuth, elevation] : {std::pair{20.0, 80.0},
                                              {20.0, 30.0},
@@ -84,7 +84,7 @@ TEST(RealGeometry, ConvexPatchThatFacesTheLightIsLitWhole) {
 TEST(RealGeometry, PlaneLitFromBelowIsDarkWhole) {
   const GlContext gl;
   const DisplacedScene scene(surface::makePlane(48, 48, 6, 6), flatRelief(48, 48), 3);
-  const RenderView view = cameraView(above, scene.displaced.mesh);
+  const RenderView view = cameraView(fromAbove, scene.displaced.mesh);
   for (const double elevation : {-5.0, -60.0, -90.0}) {
     const Vec3 light = lightToward(20, elevation);
     EXPECT_EQ(shareShadowed(scene.answer("shadow-volume", view, light)), 1);
@@ -95,7 +95,7 @@ TEST(RealGeometry, PlaneLitFromBelowIsDarkWhole) {
 TEST(RealGeometry, ShadowMapWithoutBiasHasAcne) {
   const GlContext gl;
   const DisplacedScene scene(surface::makePlane(48, 48, 6, 6), flatRelief(48, 48), 9);
-  const RenderView view = cameraView(above, scene.displaced.mesh);
+  const RenderView view = cameraView(fromAbove, scene.displaced.mesh);
   const Mask mask = scene.answer("shadow-map", view, lightToward(20, 30), {{"bias", 0}});
   EXPECT_GT(shareShadowed(mask), 0.05);
 }
@@ -147,7 +147,7 @@ TEST(RealGeometry, ShadowVolumesOfABoxAreTheTracers) {
   // them for the tracer.
   const DisplacedScene scene(surface::makePlane(48, 48, 6, 6), box(5), 32);
   const TracedScene traced(scene.surface, scene.relief, 0.125);
-  for (const Camera& camera : {above, cameraAt({30, -60, 40}, {0, 0, 2}, 40, 128)}) {
+  for (const Camera& camera : {fromAbove, cameraAt({30, -60, 40}, {0, 0, 2}, 40, 128)}) {
     const RenderView view = cameraView(camera, scene.displaced.mesh);
     const surface::SampleGrid samples = scene.samples(view);
     for (const auto& [azimuth, elevation] :
@@ -264,7 +264,7 @@ TEST(ShadowVolumes, AreExactOnARoughPlane) {
   const GlContext gl;
   const DisplacedScene scene(surface::makePlane(48, 48, 6, 6), randomRelief(24, 24, 5, 3), 4);
   for (const double azimuth : {20.0, 111.0, 250.0}) {
-    expectRaysAnswer(scene, 4, above, lightToward(azimuth, 30), "from above");
+    expectRaysAnswer(scene, 4, fromAbove, lightToward(azimuth, 30), "from above");
     expectRaysAnswer(scene, 4, cameraAt({60, -50, 35}, {0, 0, 0}, 45, 96), lightToward(azimuth, 20),
                      "from aside");
   }
