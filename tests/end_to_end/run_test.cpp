@@ -242,7 +242,7 @@ class RowsFromFiles : public SharedRuns {
 };
 
 /// What a row counts.
-struct Row {
+struct MeasuredRow {
   double samples = 0, tp = 0, fp = 0, fn = 0, tn = 0;
 };
 
@@ -250,11 +250,11 @@ struct Row {
 /// first.
 /// @param weights  one a sample, or none for 1 each
 template <typename IsIn>
-Row countRow(const GreyImage& method, const GreyImage& truth, const std::vector<float>& weights,
-             const IsIn& isIn) {
-  Row sum;
+MeasuredRow countRow(const GreyImage& method, const GreyImage& truth,
+                     const std::vector<float>& weights, const IsIn& isIn) {
+  MeasuredRow sum;
   for (int y = 0; y < truth.height; ++y) {
-    Row row;
+    MeasuredRow row;
     for (int x = 0; x < truth.width; ++x) {
       const auto i = static_cast<std::size_t>(y * truth.width + x);
       if (truth.pixels[i] == 128 || method.pixels[i] == 128 || !isIn(i)) continue;
@@ -297,7 +297,7 @@ TEST_F(RowsFromFiles, GiveEveryRow) {
       }
       const std::string region = result.at("region");
       const GreyImage& mask = result.at("answer") == "drawn" ? drawn : test;
-      const Row row = countRow(mask, truth, weights, [&](std::size_t i) {
+      const MeasuredRow row = countRow(mask, truth, weights, [&](std::size_t i) {
         if (region == "all") return true;
         if (region == "seam") return crosses && seam.pixels[i] == 255;
         const nlohmann::json& colour = json.at("region_colours").at(region);

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <random>
 
+#include "common/error.h"
 #include "model/light_angles.h"
 #include "model/orbit.h"
 #include "model/picking.h"
