@@ -48,10 +48,10 @@ PaneFigures figuresOf(const Map& candidate, const Map& truth, const Selection& s
   }
   const compare::Counts counts =
       compare::countSamples(candidate, truth, weights, answered(truth, selection));
-  return {compare::rate(counts, "error_rate"),
-          compare::rate(counts, "false_shadow"),
-          compare::rate(counts, "false_light"),
-          compare::rate(counts, "iou"),
+  return {compare::rate(counts, compare::metrics::errorRate),
+          compare::rate(counts, compare::metrics::falseShadow),
+          compare::rate(counts, compare::metrics::falseLight),
+          compare::rate(counts, compare::metrics::iou),
           counts.samples,
           counts.falsePositive + counts.falseNegative,
           shareTraced(candidate, selection),

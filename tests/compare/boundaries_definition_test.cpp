@@ -83,7 +83,7 @@ class Definition {
   [[nodiscard]] Values values() const {
     const auto ours = sides(scene_.candidate);
     const auto theirs = sides(scene_.truth);
-    Values found(boundaryMetricNames().size());
+    Values found(test::boundaryNames().size());
     if (ours.empty() && theirs.empty()) return found;
     if (!ours.empty() && !theirs.empty() && scene_.layout.tileSide == 0) {
       found[0] = (total(ours, theirs) + total(theirs, ours)) / (length(ours) + length(theirs));
@@ -213,7 +213,7 @@ class Definition {
 void requireAlike(const Values& found, const Values& expected) {
   RC_ASSERT(found.size() == expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    RC_LOG() << boundaryMetricNames()[i] << ": " << found[i].value_or(-1) << " found, "
+    RC_LOG() << test::boundaryNames()[i] << ": " << found[i].value_or(-1) << " found, "
              << expected[i].value_or(-1) << " expected\n";
     RC_ASSERT(found[i].has_value() == expected[i].has_value());
     if (found[i]) RC_ASSERT(std::abs(*found[i] - *expected[i]) < 1e-9);

@@ -126,7 +126,7 @@ TEST(Boundaries, OfConcentricDiscs) {
 
 TEST(Boundaries, NeitherEdgeNorSilhouette) {
   const Mask dark = drawn(6, 5, [](int, int) { return true; });
-  for (const std::string_view name : boundaryMetricNames()) {
+  for (const std::string& name : test::boundaryNames()) {
     EXPECT_EQ(reasonOf(name, dark, dark), neither) << name;
     EXPECT_EQ(reasonOf(name, dark, complement(dark)), neither) << name;
   }
@@ -172,7 +172,7 @@ TEST(Boundaries, SamplesMayLieTooFarApartForABand) {
 TEST(Boundaries, EndAtTheBordersOfTiles) {
   const Mask mask = drawn(16, 8, [](int x, int) { return x < 8; });
   const SampleLayout tiles{1, 1, 8, {}};
-  for (const std::string_view name : boundaryMetricNames()) {
+  for (const std::string& name : test::boundaryNames()) {
     EXPECT_EQ(reasonOf(name, mask, mask, tiles), neither) << name;
   }
   // Where the other tile's contour lies means nothing.
@@ -218,7 +218,7 @@ TEST(Boundaries, RefuseWhatDoesNotFit) {
 TEST(Boundaries, OfMasksWithoutSamples) {
   for (const Mask& empty : {Mask{}, Mask{0, 7, {}}, Mask{7, 0, {}}, row("   ")}) {
     for (const Metric& metric : compareBoundaries(empty, empty)) {
-      EXPECT_EQ(metric.reason, neither) << metric.name;
+      EXPECT_EQ(metric.reason, neither) << metric.name();
       EXPECT_FALSE(metric.value);
     }
   }
@@ -226,9 +226,9 @@ TEST(Boundaries, OfMasksWithoutSamples) {
 
 TEST(Boundaries, CarryTheirNames) {
   const auto metrics = compareBoundaries(row("..##"), row(".###"));
-  ASSERT_EQ(metrics.size(), boundaryMetricNames().size());
+  ASSERT_EQ(metrics.size(), test::boundaryNames().size());
   for (std::size_t i = 0; i < metrics.size(); ++i) {
-    EXPECT_EQ(metrics[i].name, boundaryMetricNames()[i]);
+    EXPECT_EQ(metrics[i].name(), test::boundaryNames()[i]);
     EXPECT_TRUE(metrics[i].value && metrics[i].reason.empty());
   }
 }

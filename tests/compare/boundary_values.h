@@ -13,9 +13,15 @@
 
 namespace gnomon::test {
 
+inline const std::vector<std::string>& boundaryNames() {
+  static const std::vector<std::string> names =
+      compare::namesOf(compare::metricsOfKinds({compare::MetricKind::boundary}));
+  return names;
+}
+
 /// The place of a metric among the boundary metrics.
 inline std::size_t placeOf(std::string_view name) {
-  const auto& names = compare::boundaryMetricNames();
+  const auto& names = boundaryNames();
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
@@ -34,9 +40,9 @@ inline Values valuesOf(const Mask& candidate, const Mask& truth,
 inline void expectAlike(const Values& found, const Values& expected) {
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    ASSERT_EQ(found[i].has_value(), expected[i].has_value()) << compare::boundaryMetricNames()[i];
+    ASSERT_EQ(found[i].has_value(), expected[i].has_value()) << boundaryNames()[i];
     if (!found[i]) continue;
-    EXPECT_NEAR(*found[i], *expected[i], 1e-12) << compare::boundaryMetricNames()[i];
+    EXPECT_NEAR(*found[i], *expected[i], 1e-12) << boundaryNames()[i];
   }
 }
 

@@ -81,12 +81,12 @@ TEST(MaskMetrics, AreTheRatesAndTheBoundariesByTheirNames) {
   Mask candidate = test::row("...####.........");
   candidate.width = candidate.height = 4;
   const std::vector<Metric> metrics = maskMetrics(candidate, truth);
-  ASSERT_EQ(metrics.size(), maskMetricNames().size());
-  for (std::size_t i = 0; i < metrics.size(); ++i) EXPECT_EQ(metrics[i].name, maskMetricNames()[i]);
+  const std::vector<MetricId> ids = metricsOfKinds({MetricKind::rate, MetricKind::boundary});
+  ASSERT_EQ(metrics.size(), ids.size());
+  for (std::size_t i = 0; i < metrics.size(); ++i) EXPECT_EQ(metrics[i].id, ids[i]);
   EXPECT_EQ(metrics[0].value, 2.0 / 16);
-  EXPECT_EQ(metrics[0].name, "error_rate");
   const std::vector<Metric> boundaries = compareBoundaries(candidate, truth);
-  EXPECT_EQ(metrics[rateNames().size()].value, boundaries[0].value);
+  EXPECT_EQ(metricNamed(metrics, "assd").value, boundaries[0].value);
   EXPECT_TRUE(boundaries[0].value);
 }
 
@@ -110,9 +110,9 @@ TEST(MetricRange, HoldsEveryValueOfRandomMasks) {
     for (const Metric& metric :
          maskMetrics(randomMask(side, seed), randomMask(side, seed + 1000))) {
       if (!metric.value) continue;
-      const MetricRange range = metricRange(metric.name, picture);
-      EXPECT_GE(*metric.value, range.least) << metric.name;
-      EXPECT_LE(*metric.value, range.most) << metric.name;
+      const MetricRange range = metricRange(metric.id, picture);
+      EXPECT_GE(*metric.value, range.least) << metric.name();
+      EXPECT_LE(*metric.value, range.most) << metric.name();
       ++values;
     }
   }
@@ -122,18 +122,19 @@ TEST(MetricRange, HoldsEveryValueOfRandomMasks) {
 /// So that no limit is taken that no mask could miss.
 TEST(MetricRange, EndsAreReachedByTheRightAndTheWrongMask) {
   const Mask truth = test::row("#.");
-  for (const char* metric : {"error_rate", "fpr", "fnr", "ber", "iou", "f1", "mcc"}) {
+  for (const MetricId metric :
+       std::initializer_list<MetricId>{"error_rate", "fpr", "fnr", "ber", "iou", "f1", "mcc"}) {
     const double right = *rate(countSamples(truth, truth), metric).value;
     const double wrong = *rate(countSamples(test::complement(truth), truth), metric).value;
     const MetricRange range = metricRange(metric, {2, 2});
-    EXPECT_EQ(std::min(right, wrong), range.least) << metric;
-    EXPECT_EQ(std::max(right, wrong), range.most) << metric;
+    EXPECT_EQ(std::min(right, wrong), range.least) << metric.name();
+    EXPECT_EQ(std::max(right, wrong), range.most) << metric.name();
   }
 }
 
 TEST(MetricRange, OfDistancesAndLengthsIsThePictures) {
   const PictureExtent picture{100, 4800};
-  for (const char* metric : {"assd", "hd95"}) {
+  for (const MetricId metric : std::initializer_list<MetricId>{"assd", "hd95"}) {
     EXPECT_EQ(metricRange(metric, picture).most, 100);
     EXPECT_FALSE(metricRange(metric, picture).isShare);
   }
@@ -199,16 +200,16 @@ TEST(IsOfTruthAlone, HoldsForWhatNoCandidateChanges) {
   const std::vector<Metric> first = rates(countSamples(randomMask(9, 1), truth));
   const std::vector<Metric> second = rates(countSamples(test::complement(truth), truth));
   for (std::size_t i = 0; i < first.size(); ++i) {
-    EXPECT_EQ(first[i].value == second[i].value, isOfTruthAlone(first[i].name)) << first[i].name;
+    EXPECT_EQ(first[i].value == second[i].value, isOfTruthAlone(first[i].id)) << first[i].name();
   }
   EXPECT_TRUE(isOfTruthAlone("shadow_runs"));
 }
 
 TEST(IsSettled, HoldsWhereTheTruthIsAllLitOrAllShadowed) {
-  const auto settled = [](bool (*isSettled)(std::string_view)) {
+  const auto settled = [](bool (*isSettled)(MetricId)) {
     std::vector<std::string_view> names;
-    for (const std::string_view name : maskMetricNames()) {
-      if (isSettled(name)) names.push_back(name);
+    for (const MetricId id : metricsOfKinds({MetricKind::rate, MetricKind::boundary})) {
+      if (isSettled(id)) names.push_back(id.name());
     }
     return names;
   };
@@ -222,17 +223,17 @@ Counts counts(double tp, double fp, double fn, double tn, std::size_t samples = 
   return {tp, fp, fn, tn, samples};
 }
 
-double value(const Counts& c, std::string_view name) {
-  const Metric metric = rate(c, name);
-  EXPECT_TRUE(metric.value) << name << ": " << metric.reason;
+double value(const Counts& c, MetricId id) {
+  const Metric metric = rate(c, id);
+  EXPECT_TRUE(metric.value) << id.name() << ": " << metric.reason;
   return metric.value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 /// Undefined, and for this reason.
-void expectUndefined(const Counts& c, std::string_view name, std::string_view reason) {
-  const Metric metric = rate(c, name);
-  EXPECT_FALSE(metric.value) << name;
-  EXPECT_EQ(metric.reason, reason) << name;
+void expectUndefined(const Counts& c, MetricId id, std::string_view reason) {
+  const Metric metric = rate(c, id);
+  EXPECT_FALSE(metric.value) << id.name();
+  EXPECT_EQ(metric.reason, reason) << id.name();
 }
 
 Counts arbitraryCounts() {
@@ -269,7 +270,8 @@ TEST(Rates, MaskToRateByHand) {
 TEST(Rates, PerfectAndOppositeMasksAreExact) {
   for (const double tp : {1.0, 3.0, 1e-9, 7e8}) {
     const Counts perfect = counts(tp, 0, 0, 5, 8);
-    for (const char* zero : {"error_rate", "false_shadow", "false_light", "fpr", "fnr", "ber"}) {
+    for (const MetricId zero : std::initializer_list<MetricId>{
+             "error_rate", "false_shadow", "false_light", "fpr", "fnr", "ber"}) {
       EXPECT_EQ(value(perfect, zero), 0) << zero;
     }
     for (const char* one : {"iou", "f1", "mcc"}) EXPECT_EQ(value(perfect, one), 1) << one;
@@ -335,11 +337,11 @@ TEST(Rates, SymmetriesHoldForRandomMasks) {
     const auto same = [](std::optional<double> a, std::optional<double> b) {
       return a.has_value() == b.has_value() && (!a || near(*a, *b));
     };
-    for (const char* name : {"error_rate", "iou", "f1", "mcc"}) {
+    for (const MetricId name : std::initializer_list<MetricId>{"error_rate", "iou", "f1", "mcc"}) {
       RC_ASSERT(same(rate(ab, name).value, rate(ba, name).value));
     }
     RC_ASSERT(same(rate(ab, "false_shadow").value, rate(ba, "false_light").value));
-    for (const char* name : {"error_rate", "ber", "mcc"}) {
+    for (const MetricId name : std::initializer_list<MetricId>{"error_rate", "ber", "mcc"}) {
       RC_ASSERT(same(rate(ab, name).value, rate(inverse, name).value));
     }
     RC_ASSERT(same(rate(ab, "fpr").value, rate(inverse, "fnr").value));
@@ -352,15 +354,15 @@ TEST(Rates, StayInTheirRange) {
       RC_ASSERT(metric.value.has_value() == metric.reason.empty());
       if (!metric.value) continue;
       RC_ASSERT(*metric.value <= 1);
-      RC_ASSERT(*metric.value >= (metric.name == "mcc" ? -1 : 0));
+      RC_ASSERT(*metric.value >= (metric.id == "mcc" ? -1 : 0));
     }
   }));
 }
 
 TEST(Rates, NothingIsDefinedWithoutSamplesOrArea) {
-  for (const std::string_view name : rateNames()) {
-    expectUndefined(counts(0, 0, 0, 0, 0), name, "no samples");
-    expectUndefined(counts(0, 0, 0, 0, 9), name, "the samples have no area");
+  for (const MetricId id : metricsOfKinds({MetricKind::rate})) {
+    expectUndefined(counts(0, 0, 0, 0, 0), id, "no samples");
+    expectUndefined(counts(0, 0, 0, 0, 9), id, "the samples have no area");
   }
 }
 
@@ -391,8 +393,8 @@ TEST(Rates, DoNotDependOnTheUnitOfArea) {
   const Counts c = counts(3, 2, 1, 4, 10);
   for (const double unit : {1e-300, 1e-150, 1e150, 1e307}) {
     const Counts scaled = counts(3 * unit, 2 * unit, 1 * unit, 4 * unit, 10);
-    for (const std::string_view name : rateNames()) {
-      EXPECT_NEAR(value(scaled, name), value(c, name), 1e-14) << name << " at " << unit;
+    for (const MetricId id : metricsOfKinds({MetricKind::rate})) {
+      EXPECT_NEAR(value(scaled, id), value(c, id), 1e-14) << id.name() << " at " << unit;
     }
   }
 }
@@ -406,18 +408,29 @@ TEST(Rates, RefusesCellsThatNoMaskCanHave) {
   }
 }
 
-TEST(Rates, NamesAreUniqueAndAllAnswer) {
-  const std::vector<std::string_view>& names = rateNames();
-  EXPECT_EQ(names.size(), 10U);
-  EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
+TEST(Rates, AreThoseOfTheTable) {
   const Counts c = counts(3, 2, 1, 4, 10);
+  const std::vector<MetricId> ids = metricsOfKinds({MetricKind::rate});
   const std::vector<Metric> metrics = rates(c);
-  ASSERT_EQ(metrics.size(), names.size());
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    EXPECT_EQ(metrics[i].name, names[i]);
-    EXPECT_EQ(metrics[i].value, rate(c, names[i]).value);
+  ASSERT_EQ(metrics.size(), ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    EXPECT_EQ(metrics[i].id, ids[i]);
+    EXPECT_EQ(metrics[i].value, rate(c, ids[i]).value);
   }
-  EXPECT_THROW(rate(c, "accuracy"), InternalError);
+  EXPECT_THROW(rate(c, "assd"), InternalError);
+}
+
+TEST(MetricTable, HasEveryNameOnceByKinds) {
+  std::set<std::string_view> names;
+  MetricKind last = MetricKind::rate;
+  for (const MetricId id : allMetrics()) {
+    EXPECT_TRUE(names.insert(id.name()).second) << id.name();
+    EXPECT_EQ(MetricId::find(id.name()), id);
+    EXPECT_GE(id.kind(), last) << "in the order of columns";
+    last = id.kind();
+  }
+  EXPECT_EQ(MetricId::find("accuracy"), std::nullopt);
+  EXPECT_THROW((void)MetricId::of("accuracy"), InternalError);
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ TEST(ShareMetrics, ByHand) {
   const Visibility candidate = mapRow({0, 0.25F, 0.5F, 1, noSample});
   const Visibility truth = mapRow({0, 0, 1, 0.9375F, noSample});
   const std::vector<Metric> metrics = shareMetrics(candidate, truth);
-  const auto value = [&](const char* name) { return *metricNamed(metrics, name).value; };
+  const auto value = [&](MetricId id) { return *metricNamed(metrics, id).value; };
   EXPECT_DOUBLE_EQ(value("mae"), (0.25 + 0.5 + 0.0625) / 4);
   EXPECT_DOUBLE_EQ(value("rmse"), std::sqrt((0.0625 + 0.25 + 0.00390625) / 4));
   EXPECT_DOUBLE_EQ(value("off_by_more_than_0.1"), 0.5);
@@ -157,7 +157,7 @@ TEST(ShareMetrics, ByHand) {
   EXPECT_DOUBLE_EQ(*metricNamed(weighted, "umbra_iou").value, 4.0 / 6);
   EXPECT_DOUBLE_EQ(*metricNamed(weighted, "off_by_more_than_0.1").value, 3.0 / 8);
   const std::vector<Metric> same = shareMetrics(truth, truth);
-  for (const Metric& metric : same) EXPECT_EQ(*metric.value, perfectShareMetric(metric.name));
+  for (const Metric& metric : same) EXPECT_EQ(*metric.value, metric.id.perfect());
 }
 
 TEST(ShareMetrics, OfMasksAreTheErrorRate) {
@@ -194,7 +194,7 @@ TEST(ShareMetrics, WithoutAValueHaveAReasonOfTheList) {
   EXPECT_EQ(*penumbraMetrics(few).back().value, 3);
   metrics.push_back(penumbraMetrics(few).front());
   for (const Metric& metric : metrics) {
-    EXPECT_EQ(metric.value.has_value(), metric.reason.empty()) << metric.name;
+    EXPECT_EQ(metric.value.has_value(), metric.reason.empty()) << metric.name();
     if (metric.value) continue;
     EXPECT_EQ(std::count(shareReasons().begin(), shareReasons().end(), metric.reason), 1);
   }

@@ -98,8 +98,8 @@ TEST(Manual, ListsEveryMetric) {
       listed.insert(isEnding ? last.substr(0, last.rfind('_')) + name : name);
     }
   }
-  for (const std::string_view name : study::metricNames()) {
-    EXPECT_TRUE(listed.contains(std::string(name))) << name;
+  for (const std::string& name : compare::namesOf(compare::allMetrics())) {
+    EXPECT_TRUE(listed.contains(name)) << name;
   }
 }
 

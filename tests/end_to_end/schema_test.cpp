@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
+#include "compare/metric.h"
 #include "end_to_end/support/suite_scenes.h"
-#include "study/record/result_metrics.h"
 #include "study/run/scene/sample_axes.h"
 
 // docs/summary.md names every key and column that a run writes, and no other.
@@ -22,8 +22,7 @@ using ::testing::HasSubstr;
 using Schema = std::map<std::string, std::set<std::string>>;
 
 bool isMetric(const std::string& name) {
-  const auto& names = study::metricNames();
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return compare::MetricId::find(name).has_value();
 }
 
 struct Page {

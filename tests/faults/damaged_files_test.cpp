@@ -63,7 +63,8 @@ std::string referencesBytes() {
   baseline.study = "figure8";
   baseline.environment.glRenderer = "a renderer";
   baseline.history = {{"the first", "0.1", "abc"}};
-  for (const char* metric : {"error_rate", "false_light"}) {
+  for (const compare::MetricId metric :
+       {compare::metrics::errorRate, compare::metrics::falseLight}) {
     study::Gate row{"onoue-2004", "evening", "camera", "", metric, {}, {}};
     row.step = "figure8";
     baseline.gates.push_back(study::referenceGate(row, {0.05, 0.001, 0.002}));

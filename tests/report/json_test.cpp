@@ -168,10 +168,12 @@ TEST(SummaryJson, UndefinedIsNullWithAReason) {
   EXPECT_EQ(lit["undefined"].value("fnr", ""), "the truth has no shadow");
   EXPECT_FALSE(lit["undefined"].contains("error_rate"));
   const ordered_json& distant = json["results"][2];
-  for (const std::string_view name : study::pointLightMetricNames()) {
-    EXPECT_TRUE(distant[std::string(name)].is_null()) << name;
-    EXPECT_EQ(distant["undefined"].value(std::string(name), ""),
-              study::isRate(name) ? "no samples" : "measured over all samples together only")
+  using enum compare::MetricKind;
+  for (const compare::MetricId id : compare::metricsOfKinds({rate, boundary, length})) {
+    const std::string name(id.name());
+    EXPECT_TRUE(distant[name].is_null()) << name;
+    EXPECT_EQ(distant["undefined"].value(name, ""),
+              id.kind() == rate ? "no samples" : "measured over all samples together only")
         << name;
   }
   EXPECT_TRUE(json["thresholds"][1]["value"].is_null());
@@ -236,8 +238,8 @@ MaskComparison judgedComparison() {
   MaskComparison comparison = sampleComparison();
   for (const compare::Metric& metric : comparison.metrics) {
     study::Gate gate;
-    gate.metric = metric.name;
-    gate.maximum = metric.name == "iou" ? 1 : 0.1;
+    gate.metric = metric.id;
+    gate.maximum = metric.id == "iou" ? 1 : 0.1;
     gate.origin = study::CompareOption{"--max"};
     comparison.judgements.push_back(study::judge(gate, metric));
   }
@@ -297,7 +299,7 @@ TEST(MaskComparison, ADifferenceIsNeverRoundedAway) {
               AllOf(HasSubstr("99.9999999 %"), HasSubstr("1e-07 %")));
 }
 
-study::Gate sampleGate(const std::string& metric, const study::Reference& reference) {
+study::Gate sampleGate(compare::MetricId metric, const study::Reference& reference) {
   study::Gate row{"a, b", "elevation 30°", "camera", "", metric, {}, {}};
   row.step = "sample/1";
   return study::referenceGate(row, reference);

@@ -38,8 +38,8 @@ inline study::ResultRecord result(const std::string& method, const std::string& 
 /// Two distances, and one share for each of the others.
 inline std::vector<compare::Metric> boundaries(double assd, double hd95, double share) {
   std::vector<compare::Metric> metrics;
-  for (const std::string_view name : compare::boundaryMetricNames())
-    metrics.push_back({name, share, {}});
+  for (const compare::MetricId id : compare::metricsOfKinds({compare::MetricKind::boundary}))
+    metrics.push_back({id, share, {}});
   metrics[0].value = assd;
   metrics[1].value = hd95;
   return metrics;

@@ -88,7 +88,7 @@ TEST(MetricsCsv, OneRowAResultAndOneCellAColumn) {
   const study::StudyRecord record = sampleRecord();
   const CsvLines table = parse(metricsCsv(record));
   ASSERT_EQ(table.size(), 1 + 3 * 2 * 4U);
-  for (const auto& row : table) EXPECT_EQ(row.size(), 11 + study::pointLightMetricNames().size());
+  for (const auto& row : table) EXPECT_EQ(row.size(), 11U + 22);
   EXPECT_EQ(metricsCsv(record).substr(0, 64),
             "study,method,light,view,answer,region,samples,tp,fp,fn,tn,error_");
 }
@@ -108,7 +108,7 @@ TEST(MetricsCsv, ValuesReadBackExactly) {
     EXPECT_EQ(row[6], std::to_string(result.counts.samples));
     EXPECT_EQ(std::stod(row[column(table, "fp")]), result.counts.falsePositive);
     for (const compare::Metric& metric : study::metricsOf(result)) {
-      const std::string& cell = row[column(table, std::string(metric.name))];
+      const std::string& cell = row[column(table, std::string(metric.name()))];
       EXPECT_EQ(cell.empty(), !metric.value.has_value());
       if (metric.value) {
         EXPECT_EQ(std::stod(cell), *metric.value);
@@ -132,11 +132,11 @@ TEST(MetricsCsv, RefusesNumbersThatAreNotFinite) {
 TEST(MetricsCsv, HasColumnsOfSharesOnlyUnderADisc) {
   study::StudyRecord record = sampleRecord();
   const std::size_t columns = metricsTable(record).columns.size();
-  for (const std::string_view name : compare::shareMetricNames()) {
-    record.results.front().shares.push_back({name, 0.125, {}});
-  }
+  using enum compare::MetricKind;
+  const auto ids = compare::metricsOfKinds({share, penumbra});
+  for (const compare::MetricId id : ids) record.results.front().shares.push_back({id, 0.125, {}});
   const Table table = metricsTable(record);
-  EXPECT_EQ(table.columns.size(), columns + compare::shareMetricNames().size());
+  EXPECT_EQ(table.columns.size(), columns + ids.size());
   for (const Row& row : table.rows) EXPECT_EQ(row.cells.size(), table.columns.size());
 }
 
@@ -434,15 +434,15 @@ TEST(RankedTable, MeansTheIntervalsOfItsViews) {
   };
   record.confidence = {row("camera", "all", {0.01, 0.03}),
                        row("camera", "elevation 15°", {0.5, 0.9})};
-  EXPECT_FALSE(study::rankMethods(record).front().interval) << "the atlas has none";
+  EXPECT_FALSE(study::rankMethods(record).front().means.interval) << "the atlas has none";
   record.confidence.push_back(row("atlas", "all", {0.02, 0.09}));
   const auto method = study::rankMethods(record).front();
-  ASSERT_TRUE(method.interval);
+  ASSERT_TRUE(method.means.interval);
   EXPECT_EQ(method.label, "best");
-  EXPECT_DOUBLE_EQ(method.interval->low, 0.015);
-  EXPECT_DOUBLE_EQ(method.interval->high, 0.06);
+  EXPECT_DOUBLE_EQ(method.means.interval->low, 0.015);
+  EXPECT_DOUBLE_EQ(method.means.interval->high, 0.06);
   record.confidence.back().interval.reset();
-  EXPECT_FALSE(study::rankMethods(record).front().interval);
+  EXPECT_FALSE(study::rankMethods(record).front().means.interval);
 }
 
 TEST(RankedTable, DrawsItsBarsInOneScale) {

@@ -65,7 +65,7 @@ Mask regionMask(const Mask& truth, std::span<const std::uint8_t> region) {
 
 void add(std::vector<MaskMetric>& list, const std::vector<compare::Metric>& metrics) {
   for (const compare::Metric& metric : metrics) {
-    list.push_back({std::string(metric.name), metric.value, std::string(metric.reason)});
+    list.push_back({std::string(metric.name()), metric.value, std::string(metric.reason)});
   }
 }
 

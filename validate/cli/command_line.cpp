@@ -198,8 +198,8 @@ ExitStatus list(const CLI::App& app, const std::string& what) {
   printLine(fmt::format("\nShapes ([surface] shape): {}", fmt::join(study::shapeNames, ", ")));
   printLine(fmt::format("Patterns ([relief] pattern): {}", fmt::join(study::patternNames, ", ")));
   printLine(fmt::format("Solids ([relief] solid): {}", fmt::join(study::solidNames, ", ")));
-  printLine(
-      fmt::format("Metrics ([[threshold]] metric): {}", fmt::join(study::metricNames(), ", ")));
+  printLine(fmt::format("Metrics ([[threshold]] metric): {}",
+                        fmt::join(compare::namesOf(compare::allMetrics()), ", ")));
   return ExitStatus::pass;
 }
 

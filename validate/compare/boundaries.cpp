@@ -244,9 +244,10 @@ std::string_view noDistanceReason(const Outline& found, const SampleLayout& layo
 }
 
 std::vector<Metric> metricsOf(const Outline& found, const SampleLayout& layout) {
+  static const std::vector<MetricId> ids = metricsOfKinds({MetricKind::boundary});
   std::vector<Metric> metrics;
   const auto add = [&](std::string_view reason, const auto& value) {
-    Metric metric{boundaryMetricNames()[metrics.size()], {}, reason};
+    Metric metric{ids[metrics.size()], {}, reason};
     if (reason.empty()) metric.value = value();
     metrics.push_back(metric);
   };
@@ -288,17 +289,6 @@ std::vector<std::vector<Metric>> compareBoundaries(std::span<const Mask* const> 
     parallelFor(0, group.size(), [&](std::size_t c) { found[c] = metricsOf(outlines[c], layout); });
     return found;
   });
-}
-
-bool isBoundaryDistance(std::string_view name) {
-  return name == "assd" || name == "hd95";
-}
-
-const std::vector<std::string_view>& boundaryMetricNames() {
-  static const std::vector<std::string_view> names = {
-      "assd",           "hd95",           "boundary_iou_1", "boundary_iou_2",
-      "boundary_iou_4", "surface_dice_1", "surface_dice_2", "surface_dice_4"};
-  return names;
 }
 
 const std::vector<std::string_view>& boundaryReasons() {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/mask.h"
-#include "compare/rates.h"
+#include "compare/metric.h"
 #include "compare/sample_layout.h"
 
 namespace gnomon::compare {
@@ -62,12 +62,6 @@ std::vector<Metric> compareBoundaries(const Mask& candidate, const Mask& truth,
 /// @throws likewise
 std::vector<std::vector<Metric>> compareBoundaries(std::span<const Mask* const> candidates,
                                                    const Mask& truth, const SampleLayout& layout);
-
-/// The names above, in order.
-const std::vector<std::string_view>& boundaryMetricNames();
-
-/// Whether one of them is a distance, which is 0 for equal masks; the others are shares, then 1.
-bool isBoundaryDistance(std::string_view name);
 
 /// All reasons why one of them has no value.
 const std::vector<std::string_view>& boundaryReasons();

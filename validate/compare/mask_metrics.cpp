@@ -94,7 +94,7 @@ std::optional<std::string> invertedNotice(const ComparedMasks& masks,
                                           std::span<const double> weights) {
   constexpr double nearlyAll = 0.95;
   const auto errorOf = [&](const ComparedMasks& pair) {
-    return rate(countsOf(pair, weights), "error_rate").value.value_or(0);
+    return rate(countsOf(pair, weights), metrics::errorRate).value.value_or(0);
   };
   const double error = errorOf(masks);
   if (!(error >= nearlyAll)) return std::nullopt;
@@ -119,12 +119,6 @@ std::vector<Metric> maskMetrics(const ComparedMasks& masks) {
   return metrics;
 }
 
-std::vector<std::string_view> pictureShareNames() {
-  std::vector<std::string_view> names;
-  for (const Metric& metric : shareMetrics({}, {})) names.push_back(metric.name);
-  return names;
-}
-
 std::vector<Metric> maskMetrics(const Mask& candidate, const Mask& truth) {
   std::vector<Metric> metrics = rates(countSamples(candidate, truth));
   const std::vector<Metric> boundaries = compareBoundaries(candidate, truth);
@@ -147,15 +141,6 @@ ConfidenceInterval maskConfidence(std::span<const ComparedMasks> lights,
   BlockErrors errors = errorsOf(lights.front());
   for (const ComparedMasks& light : lights.subspan(1)) errors += errorsOf(light);
   return rateConfidence(errors, tiling);
-}
-
-const std::vector<std::string_view>& maskMetricNames() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> list = rateNames();
-    list.insert(list.end(), boundaryMetricNames().begin(), boundaryMetricNames().end());
-    return list;
-  }();
-  return names;
 }
 
 }  // namespace gnomon::compare

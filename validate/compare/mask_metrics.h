@@ -64,9 +64,4 @@ std::vector<Metric> maskMetrics(const ComparedMasks& masks);
 ConfidenceInterval maskConfidence(std::span<const ComparedMasks> lights,
                                   std::span<const double> weights = {});
 
-/// The names of those metrics of masks, in order.
-const std::vector<std::string_view>& maskMetricNames();
-/// The names of those that shares have beside them.
-std::vector<std::string_view> pictureShareNames();
-
 }  // namespace gnomon::compare

@@ -7,27 +7,15 @@
 #include <system_error>
 
 #include "common/error.h"
-#include "compare/boundaries.h"
+#include "compare/rates.h"
 #include "compare/shadow_length.h"
-#include "compare/share_metrics.h"
 
 namespace gnomon::compare {
 namespace {
 
-bool isLength(std::string_view metric) {
-  const auto& names = lengthMetricNames();
-  return std::find(names.begin(), names.end(), metric) != names.end();
-}
-
-/// How much was measured of the truth's shadows or penumbrae.
-bool isRunCount(std::string_view metric) {
-  return metric == "shadow_runs" || metric == "penumbra_runs";
-}
-
 /// Whether a rate has one and the same value for several comparisons.
-bool isSameForAll(std::string_view metric, std::initializer_list<Counts> all) {
-  const auto& names = rateNames();
-  if (std::find(names.begin(), names.end(), metric) == names.end()) return false;
+bool isSameForAll(MetricId metric, std::initializer_list<Counts> all) {
+  if (metric.kind() != MetricKind::rate) return false;
   const auto first = rate(*all.begin(), metric).value;
   return first && std::all_of(all.begin(), all.end(), [&](const Counts& counts) {
            return rate(counts, metric).value == first;
@@ -55,35 +43,41 @@ std::optional<double> percentOf(std::string_view text) {
 }
 
 /// What a number that is no share of 1 may have meant.
-std::string hint(std::string_view metric, const MetricRange& range) {
+std::string hint(MetricId metric, const MetricRange& range) {
   if (!range.isShare) return "";
-  return fmt::format("; {} is a share: 0.05, or \"5 %\"", metric);
+  return fmt::format("; {} is a share: 0.05, or \"5 %\"", metric.name());
 }
 
 }  // namespace
 
-MetricRange metricRange(std::string_view metric, const PictureExtent& picture) {
-  if (isBoundaryDistance(metric)) return {0, picture.diagonal, false};
-  if (isRunCount(metric)) return {0, picture.samples, false};
-  if (isLength(metric) || metric.starts_with("penumbra_width")) {
-    return {0, picture.diagonal / static_cast<double>(leastRunSamples), false};
+MetricRange metricRange(MetricId metric, const PictureExtent& picture) {
+  switch (metric.unit()) {
+    case MetricUnit::share:
+      return {};
+    case MetricUnit::correlation:
+      return {-1, 1, false};
+    case MetricUnit::distance:
+      return {0, picture.diagonal, false};
+    case MetricUnit::ratio:
+      return {0, picture.diagonal / static_cast<double>(leastRunSamples), false};
+    case MetricUnit::count:
+      return {0, picture.samples, false};
   }
-  const double least = leastRate(metric);
-  return {least, 1, least == 0};
+  return {};
 }
 
-bool isOfTruthAlone(std::string_view metric) {
+bool isOfTruthAlone(MetricId metric) {
   // The same truth, half of it shadowed, and candidates that are equal to it, differ by halves, and
   // differ everywhere.
-  return isRunCount(metric) ||
+  return metric.unit() == MetricUnit::count ||
          isSameForAll(metric, {{2, 0, 0, 2, 4}, {1, 1, 1, 1, 4}, {0, 2, 2, 0, 4}});
 }
 
-bool isSettledByLight(std::string_view metric) {
+bool isSettledByLight(MetricId metric) {
   return isSameForAll(metric, {{0, 1, 0, 3, 4}, {0, 2, 0, 2, 4}, {0, 3, 0, 1, 4}});
 }
 
-bool isSettledByShadow(std::string_view metric) {
+bool isSettledByShadow(MetricId metric) {
   return isSameForAll(metric, {{1, 0, 3, 0, 4}, {2, 0, 2, 0, 4}, {3, 0, 1, 0, 4}});
 }
 
@@ -92,21 +86,21 @@ std::optional<double> limitOfText(std::string_view text, const MetricRange& rang
   return numberOf(text);
 }
 
-void requireInRange(double limit, std::string_view metric, const MetricRange& range) {
+void requireInRange(double limit, MetricId metric, const MetricRange& range) {
   if (limit >= range.least && limit <= range.most) return;
   throw InputError(fmt::format("{} found, {:.6g} to {:.6g} expected{}", limit, range.least,
                                range.most, hint(metric, range)));
 }
 
-void requireMissable(std::optional<double> minimum, std::optional<double> maximum,
-                     std::string_view metric, const MetricRange& range) {
+void requireMissable(std::optional<double> minimum, std::optional<double> maximum, MetricId metric,
+                     const MetricRange& range) {
   if (minimum && maximum && !(*minimum <= *maximum)) {
     throw InputError(
         fmt::format("`min` = {} found, at most `max` = {} expected", *minimum, *maximum));
   }
   if ((maximum && *maximum < range.most) || (minimum && *minimum > range.least)) return;
   throw InputError(fmt::format("{} found, which no {} can miss: {} {:.6g} expected{}",
-                               maximum.value_or(minimum.value_or(range.least)), metric,
+                               maximum.value_or(minimum.value_or(range.least)), metric.name(),
                                maximum ? "below" : "above", maximum ? range.most : range.least,
                                hint(metric, range)));
 }

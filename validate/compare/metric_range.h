@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "compare/rates.h"
+#include "compare/metric.h"
 
 namespace gnomon::compare {
 
@@ -21,23 +21,22 @@ struct MetricRange {
   bool isShare = true;  ///< of something, so that it can be given in percent
 };
 
-/// The range of a metric, by its name:
-///   rates                 `leastRate` to 1
-///   boundary distances    0 to the picture's diagonal
-///   shadow_length_ratio   0 to that over the shortest shadow measured, `leastRunSamples`; so for
-///                         its quartiles
-///   shadow_runs           0 to the picture's samples
-///   all others            shares, 0 to 1
-MetricRange metricRange(std::string_view metric, const PictureExtent& picture);
+/// The range of a metric, by its unit:
+///   share        0 to 1
+///   correlation  -1 to 1
+///   distance     0 to the picture's diagonal
+///   ratio        0 to that over the shortest shadow measured, `leastRunSamples`
+///   count        0 to the picture's samples
+MetricRange metricRange(MetricId metric, const PictureExtent& picture);
 
 /// Whether a metric is the truth's alone, whatever a candidate does: prevalence, shadow_runs. A
 /// gate on it judges the scene, and no method.
-bool isOfTruthAlone(std::string_view metric);
+bool isOfTruthAlone(MetricId metric);
 
 /// Whether a metric has one value, whatever a candidate does, where the truth lights all samples;
 /// where it shadows all.
-bool isSettledByLight(std::string_view metric);
-bool isSettledByShadow(std::string_view metric);
+bool isSettledByLight(MetricId metric);
+bool isSettledByShadow(MetricId metric);
 
 /// Reads a limit: a number, or of a share also a percentage, "5 %" for 0.05. Both are the double
 /// nearest to the decimal number that is written.
@@ -46,12 +45,12 @@ std::optional<double> limitOfText(std::string_view text, const MetricRange& rang
 
 /// A limit must be a value that the metric can have. Its message says what was found and expected.
 /// @throws InputError
-void requireInRange(double limit, std::string_view metric, const MetricRange& range);
+void requireInRange(double limit, MetricId metric, const MetricRange& range);
 
 /// A gate must have values that fail it and values that pass it: a maximum below the range's upper
 /// end or a minimum above its lower one, and no minimum above the maximum.
 /// @throws InputError
-void requireMissable(std::optional<double> minimum, std::optional<double> maximum,
-                     std::string_view metric, const MetricRange& range);
+void requireMissable(std::optional<double> minimum, std::optional<double> maximum, MetricId metric,
+                     const MetricRange& range);
 
 }  // namespace gnomon::compare

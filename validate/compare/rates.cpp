@@ -11,12 +11,18 @@
 namespace gnomon::compare {
 namespace {
 
-Metric defined(double value) {
-  return {{}, value, {}};
+/// A metric's value, or the reason why it has none.
+struct Figure {
+  std::optional<double> value;
+  std::string_view reason;
+};
+
+Figure defined(double value) {
+  return {value, {}};
 }
 
-Metric undefined(std::string_view reason) {
-  return {{}, std::nullopt, reason};
+Figure undefined(std::string_view reason) {
+  return {std::nullopt, reason};
 }
 
 /// Why no metric at all is defined, or empty.
@@ -26,45 +32,45 @@ std::string_view emptiness(const Counts& c) {
   return {};
 }
 
-Metric share(double part, const Counts& c) {
+Figure share(double part, const Counts& c) {
   const std::string_view reason = emptiness(c);
   return reason.empty() ? defined(part / c.total()) : undefined(reason);
 }
 
-Metric errorRate(const Counts& c) {
+Figure errorRate(const Counts& c) {
   return share(c.falsePositive + c.falseNegative, c);
 }
 
-Metric falseShadow(const Counts& c) {
+Figure falseShadow(const Counts& c) {
   return share(c.falsePositive, c);
 }
 
-Metric falseLight(const Counts& c) {
+Figure falseLight(const Counts& c) {
   return share(c.falseNegative, c);
 }
 
-Metric prevalence(const Counts& c) {
+Figure prevalence(const Counts& c) {
   return share(c.truePositive + c.falseNegative, c);
 }
 
 /// part / whole, undefined for the given reason where the whole is empty.
-Metric ratio(double part, double whole, const Counts& c, std::string_view reason) {
+Figure ratio(double part, double whole, const Counts& c, std::string_view reason) {
   if (whole > 0) return defined(part / whole);
   const std::string_view empty = emptiness(c);
   return undefined(empty.empty() ? reason : empty);
 }
 
-Metric fpr(const Counts& c) {
+Figure fpr(const Counts& c) {
   return ratio(c.falsePositive, c.falsePositive + c.trueNegative, c, "the truth has no lit sample");
 }
 
-Metric fnr(const Counts& c) {
+Figure fnr(const Counts& c) {
   return ratio(c.falseNegative, c.falseNegative + c.truePositive, c, "the truth has no shadow");
 }
 
-Metric ber(const Counts& c) {
-  const Metric ofLit = fpr(c);
-  const Metric ofShadow = fnr(c);
+Figure ber(const Counts& c) {
+  const Figure ofLit = fpr(c);
+  const Figure ofShadow = fnr(c);
   if (!ofLit.value) return ofLit;
   if (!ofShadow.value) return ofShadow;
   return defined((*ofLit.value + *ofShadow.value) / 2);
@@ -72,11 +78,11 @@ Metric ber(const Counts& c) {
 
 constexpr std::string_view noShadow = "neither the truth nor the candidate has a shadow";
 
-Metric iou(const Counts& c) {
+Figure iou(const Counts& c) {
   return ratio(c.truePositive, c.truePositive + c.falsePositive + c.falseNegative, c, noShadow);
 }
 
-Metric f1(const Counts& c) {
+Figure f1(const Counts& c) {
   // The mean of both masks' shadow: half the usual denominator, which could overflow.
   const double meanShadow = c.truePositive + (c.falsePositive + c.falseNegative) / 2;
   return ratio(c.truePositive, meanShadow, c, noShadow);
@@ -87,7 +93,7 @@ double geometricMean(double a, double b) {
   return a == b ? a : std::sqrt(a) * std::sqrt(b);
 }
 
-Metric mcc(const Counts& c) {
+Figure mcc(const Counts& c) {
   const double candidateShadow = c.truePositive + c.falsePositive;
   const double truthShadow = c.truePositive + c.falseNegative;
   const double truthLit = c.trueNegative + c.falsePositive;
@@ -106,22 +112,26 @@ Metric mcc(const Counts& c) {
   return defined(std::clamp(agreement - disagreement, -1.0, 1.0));
 }
 
-struct NamedRate {
-  std::string_view name;
-  Metric (*compute)(const Counts&);
-  double least = 0;
+struct Rate {
+  MetricId id;
+  Figure (*formula)(const Counts&);
+
+  [[nodiscard]] Metric of(const Counts& counts) const {
+    const auto [value, reason] = formula(counts);
+    return {id, value, reason};
+  }
 };
 
-constexpr std::array<NamedRate, 10> allRates = {{{"error_rate", errorRate},
-                                                 {"false_shadow", falseShadow},
-                                                 {"false_light", falseLight},
-                                                 {"fpr", fpr},
-                                                 {"fnr", fnr},
-                                                 {"ber", ber},
-                                                 {"iou", iou},
-                                                 {"f1", f1},
-                                                 {"mcc", mcc, -1},
-                                                 {"prevalence", prevalence}}};
+constexpr std::array<Rate, 10> allRates = {{{"error_rate", errorRate},
+                                            {"false_shadow", falseShadow},
+                                            {"false_light", falseLight},
+                                            {"fpr", fpr},
+                                            {"fnr", fnr},
+                                            {"ber", ber},
+                                            {"iou", iou},
+                                            {"f1", f1},
+                                            {"mcc", mcc},
+                                            {"prevalence", prevalence}}};
 
 void requireSound(const Counts& c) {
   const std::array cells = {c.truePositive, c.falsePositive, c.falseNegative, c.trueNegative};
@@ -133,53 +143,22 @@ void requireSound(const Counts& c) {
   }
 }
 
-Metric evaluate(const NamedRate& rate, const Counts& counts) {
-  Metric metric = rate.compute(counts);
-  metric.name = rate.name;
-  return metric;
-}
-
 }  // namespace
 
 std::vector<Metric> rates(const Counts& counts) {
   requireSound(counts);
   std::vector<Metric> metrics;
   metrics.reserve(allRates.size());
-  for (const NamedRate& rate : allRates) metrics.push_back(evaluate(rate, counts));
+  for (const Rate& rate : allRates) metrics.push_back(rate.of(counts));
   return metrics;
 }
 
-Metric rate(const Counts& counts, std::string_view name) {
+Metric rate(const Counts& counts, MetricId id) {
   requireSound(counts);
-  for (const NamedRate& rate : allRates) {
-    if (rate.name == name) return evaluate(rate, counts);
+  for (const Rate& rate : allRates) {
+    if (rate.id == id) return rate.of(counts);
   }
-  throw InternalError(fmt::format("metric: \"{}\" is not one that rates() has", name));
-}
-
-double leastRate(std::string_view name) {
-  const auto* found = std::find_if(allRates.begin(), allRates.end(),
-                                   [&](const NamedRate& rate) { return rate.name == name; });
-  return found == allRates.end() ? 0 : found->least;
-}
-
-const Metric& metricNamed(std::span<const Metric> metrics, std::string_view name) {
-  const auto found = std::find_if(metrics.begin(), metrics.end(),
-                                  [&](const Metric& metric) { return metric.name == name; });
-  if (found == metrics.end()) {
-    throw InternalError(fmt::format("metric \"{}\" found, a measured one expected", name));
-  }
-  return *found;
-}
-
-const std::vector<std::string_view>& rateNames() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> list;
-    list.reserve(std::size(allRates));
-    for (const NamedRate& rate : allRates) list.push_back(rate.name);
-    return list;
-  }();
-  return names;
+  throw InternalError(fmt::format("metric: \"{}\" is not one that rates() has", id.name()));
 }
 
 }  // namespace gnomon::compare

@@ -1,21 +1,11 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "compare/counts.h"
+#include "compare/metric.h"
 
 namespace gnomon::compare {
-
-/// One metric. Undefined values have no number but a reason; they are never reported as 0 or 1.
-struct Metric {
-  std::string_view name;        ///< as reports and thresholds spell it
-  std::optional<double> value;  ///< dimensionless; rates 0 to 1, mcc -1 to 1
-  std::string_view reason;      ///< why there is no value; empty if there is one
-};
 
 /// All rates of one comparison, in this order:
 ///   error_rate    (FP + FN) / all
@@ -33,19 +23,8 @@ struct Metric {
 /// @throws InternalError if a cell is negative or not finite
 std::vector<Metric> rates(const Counts& counts);
 
-/// One metric by name.
-/// @throws InternalError for a name that `rates` does not have
-Metric rate(const Counts& counts, std::string_view name);
-
-/// The least value that a metric can have, by its name: -1 for mcc, 0 for all others, of other
-/// lists too. The largest of a rate is 1.
-double leastRate(std::string_view name);
-
-/// The metric of a name.
-/// @throws InternalError where it is not among them
-const Metric& metricNamed(std::span<const Metric> metrics, std::string_view name);
-
-/// The names above, in order.
-const std::vector<std::string_view>& rateNames();
+/// One of them.
+/// @throws InternalError for a metric of another kind
+Metric rate(const Counts& counts, MetricId id);
 
 }  // namespace gnomon::compare

@@ -381,22 +381,16 @@ std::vector<ShadowLengths> compareShadowLengths(std::span<const Mask* const> can
 
 std::vector<Metric> lengthMetrics(const ShadowLengths& lengths) {
   static_assert(leastRuns == 30, "the reason names it");
-  const auto& names = lengthMetricNames();
+  static const std::vector<MetricId> ids = metricsOfKinds({MetricKind::length});
   const auto metric = [&](std::size_t i, std::optional<double> value) -> Metric {
-    if (value) return {names[i], value, {}};
-    return {names[i],
+    if (value) return {ids[i], value, {}};
+    return {ids[i],
             {},
             lengths.runs == 0 ? "no cast shadow with both ends in view"
                               : "fewer than 30 cast shadows with both ends in view"};
   };
   return {metric(0, lengths.ratio), metric(1, lengths.lowerQuartile),
           metric(2, lengths.upperQuartile), metric(3, lengths.runs)};
-}
-
-const std::vector<std::string_view>& lengthMetricNames() {
-  static const std::vector<std::string_view> names = {"shadow_length_ratio", "shadow_length_q1",
-                                                      "shadow_length_q3", "shadow_runs"};
-  return names;
 }
 
 }  // namespace gnomon::compare

@@ -102,7 +102,4 @@ std::vector<ShadowLengths> compareShadowLengths(std::span<const Mask* const> can
 ///   shadow_runs          width of all shadows measured, in samples across the light
 std::vector<Metric> lengthMetrics(const ShadowLengths& lengths);
 
-/// The names above, in order.
-const std::vector<std::string_view>& lengthMetricNames();
-
 }  // namespace gnomon::compare

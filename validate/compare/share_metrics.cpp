@@ -29,9 +29,9 @@ struct Overlap {
     if (ours && theirs) both += weight;
     if (ours || theirs) either += weight;
   }
-  [[nodiscard]] Metric metric(std::string_view name, std::string_view otherwise) const {
-    if (!(either > 0)) return {name, std::nullopt, otherwise};
-    return {name, both / either, {}};
+  [[nodiscard]] Metric metric(MetricId id, std::string_view otherwise) const {
+    if (!(either > 0)) return {id, std::nullopt, otherwise};
+    return {id, both / either, {}};
   }
 };
 
@@ -57,21 +57,17 @@ struct ShareSums {
   }
 };
 
-constexpr std::array<std::string_view, 5> ownNames = {"mae", "rmse", "off_by_more_than_0.1",
-                                                      "umbra_iou", "penumbra_iou"};
-constexpr std::array<std::string_view, 4> widthNames = {"penumbra_width_ratio", "penumbra_width_q1",
-                                                        "penumbra_width_q3", "penumbra_runs"};
-
 }  // namespace
 
 std::vector<Metric> shareMetrics(const Visibility& candidate, const Visibility& truth,
                                  std::span<const double> weights) {
   const Counts counts = countSamples(candidate, truth, weights);
-  const Metric mae = rate(counts, "error_rate");
+  const Metric mae = rate(counts, metrics::errorRate);
   if (!mae.value) {
     const std::string_view reason = counts.samples == 0 ? noSamples : noArea;
     std::vector<Metric> none;
-    for (const std::string_view name : ownNames) none.push_back({name, std::nullopt, reason});
+    for (const MetricId id : metricsOfKinds({MetricKind::share}))
+      none.push_back({id, std::nullopt, reason});
     return none;
   }
   const SharePair pair(candidate, truth);
@@ -81,11 +77,11 @@ std::vector<Metric> shareMetrics(const Visibility& candidate, const Visibility& 
     sums.add(pair.candidate(i), pair.truth(i), weights.empty() ? 1 : weights[i]);
   }
   const double all = counts.total();
-  return {{ownNames[0], mae.value, {}},
-          {ownNames[1], std::sqrt(sums.squares / all), {}},
-          {ownNames[2], sums.far / all, {}},
-          sums.umbra.metric(ownNames[3], noUmbra),
-          sums.penumbra.metric(ownNames[4], noPenumbra)};
+  return {{"mae", mae.value, {}},
+          {"rmse", std::sqrt(sums.squares / all), {}},
+          {"off_by_more_than_0.1", sums.far / all, {}},
+          sums.umbra.metric("umbra_iou", noUmbra),
+          sums.penumbra.metric("penumbra_iou", noPenumbra)};
 }
 
 Mask penumbraMask(const Visibility& map) {
@@ -104,26 +100,12 @@ Mask penumbraMask(const Visibility& map) {
 std::vector<Metric> penumbraMetrics(const ShadowLengths& widths) {
   static_assert(leastRuns == 30, "the reason names it");
   const std::string_view reason = widths.runs == 0 ? noRun : fewRuns;
-  const auto metric = [&](std::size_t i, std::optional<double> value) -> Metric {
-    return {widthNames.at(i), value, value ? std::string_view() : reason};
+  const auto metric = [&](MetricId id, std::optional<double> value) -> Metric {
+    return {id, value, value ? std::string_view() : reason};
   };
-  return {metric(0, widths.ratio), metric(1, widths.lowerQuartile), metric(2, widths.upperQuartile),
-          metric(3, widths.runs)};
-}
-
-const std::vector<std::string_view>& shareMetricNames() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> list(ownNames.begin(), ownNames.end());
-    list.insert(list.end(), widthNames.begin(), widthNames.end());
-    return list;
-  }();
-  return names;
-}
-
-double perfectShareMetric(std::string_view name) {
-  const bool isError =
-      std::find(ownNames.begin(), ownNames.begin() + 3, name) != ownNames.begin() + 3;
-  return isError ? 0 : 1;
+  return {metric("penumbra_width_ratio", widths.ratio),
+          metric("penumbra_width_q1", widths.lowerQuartile),
+          metric("penumbra_width_q3", widths.upperQuartile), metric("penumbra_runs", widths.runs)};
 }
 
 const std::vector<std::string_view>& shareReasons() {

@@ -46,12 +46,6 @@ Mask penumbraMask(const Visibility& map);
 /// A penumbra narrower than `leastRunSamples` samples is not measured.
 std::vector<Metric> penumbraMetrics(const ShadowLengths& widths);
 
-/// The names of the first list, then those of the second.
-const std::vector<std::string_view>& shareMetricNames();
-
-/// What one of them is for a map that equals the truth: 0 of an error, 1 of the others.
-double perfectShareMetric(std::string_view name);
-
 /// All reasons why one of them has no value.
 const std::vector<std::string_view>& shareReasons();
 

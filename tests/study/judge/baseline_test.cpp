@@ -36,27 +36,29 @@ Baseline baselineOf(const std::vector<StudyRecord>& steps) {
   return {"study", false, {}, {{"first", "1", ""}}, referenceGates(steps)};
 }
 
-const Judgement& judgementOn(const std::vector<Judgement>& judgements, const std::string& metric,
+const Judgement& judgementOn(const std::vector<Judgement>& judgements, compare::MetricId metric,
                              const std::string& method = "a") {
   const auto found =
       std::find_if(judgements.begin(), judgements.end(), [&](const Judgement& judgement) {
         return judgement.gate.metric == metric && judgement.gate.method == method;
       });
-  if (found == judgements.end()) throw std::runtime_error("no gate on " + metric);
+  if (found == judgements.end())
+    throw std::runtime_error("no gate on " + std::string(metric.name()));
   return *found;
 }
 
 /// The verdict on one metric of a run against the baseline of another.
-GateVerdict verdict(const std::string& metric, const ResultRecord& committed,
+GateVerdict verdict(compare::MetricId metric, const ResultRecord& committed,
                     const ResultRecord& now) {
   const Baseline baseline = baselineOf({record({committed})});
   return judgementOn(judgeBaseline(baseline, record({now}), {}), metric).verdict;
 }
 
 TEST(Baseline, ToleranceIsWiderThanTheSpreadWhateverThatIs) {
-  for (const char* metric : {"error_rate", "shadow_length_ratio"}) {
+  for (const compare::MetricId metric :
+       std::initializer_list<compare::MetricId>{"error_rate", "shadow_length_ratio"}) {
     for (const double spread : {0.0, 1e-6, 0.001, 0.05, 3.0}) {
-      EXPECT_GT(toleranceOf(metric, spread), spread) << metric;
+      EXPECT_GT(toleranceOf(metric, spread), spread) << metric.name();
     }
   }
   EXPECT_EQ(toleranceOf("error_rate", 0), leastRateTolerance);
@@ -77,7 +79,7 @@ TEST(Baseline, HoldsEveryMetricOfTheWholeRegionWithItsSpread) {
     EXPECT_EQ(spread, gate.metric == "shadow_length_ratio" ? 0.03 : 0.004);
     EXPECT_EQ(tolerance, toleranceOf(gate.metric, spread));
   }
-  EXPECT_EQ(gates.at(0).metric, "error_rate");
+  EXPECT_EQ(gates.at(0).metric, compare::metrics::errorRate);
   EXPECT_DOUBLE_EQ(referenceOf(gates.at(0)).committed, 0.05);
 }
 
@@ -89,7 +91,7 @@ TEST(Baseline, LeavesOutWhatIsUndefinedOrHasNoSpread) {
   ASSERT_EQ(gates.size(), 4U);
   for (const Gate& gate : gates) {
     EXPECT_EQ(gate.method, "a");
-    EXPECT_NE(gate.metric, "shadow_length_ratio");
+    EXPECT_NE(gate.metric, compare::metrics::shadowLengthRatio);
   }
 }
 
@@ -98,7 +100,7 @@ TEST(Baseline, TheSameRunPasses) {
   const std::vector<Judgement> judgements = judgeBaseline(baselineOf({run}), run, {});
   EXPECT_EQ(judgements.size(), 10U);
   for (const Judgement& judgement : judgements) {
-    EXPECT_EQ(judgement.verdict, GateVerdict::passed) << judgement.gate.metric;
+    EXPECT_EQ(judgement.verdict, GateVerdict::passed) << judgement.gate.metric.name();
   }
   EXPECT_TRUE(betterThan(judgements).empty());
 }

@@ -373,7 +373,7 @@ TEST(Claims, OrderLengthsByTheTruthsOwnLengths) {
 
 /// A study whose methods `new` and `old` have given values of one boundary metric under one light,
 /// where the coarser truth has the value `truths`.
-StudyRecord boundaryStudy(std::string_view metric, double ofNew, double ofOld,
+StudyRecord boundaryStudy(compare::MetricId metric, double ofNew, double ofOld,
                           std::optional<double> truths) {
   StudyRecord record = study("s", {{0.02, 0.05}}, 0.5);
   record.truth.flips[0].boundaries = {{metric, truths, {}}};

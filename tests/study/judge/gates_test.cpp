@@ -26,8 +26,8 @@ StudyRecord judgedStudy() {
   return study;
 }
 
-Gate gate(std::string metric, std::optional<double> minimum, std::optional<double> maximum) {
-  return {"a", "noon", "camera", "all", std::move(metric), minimum, maximum};
+Gate gate(compare::MetricId metric, std::optional<double> minimum, std::optional<double> maximum) {
+  return {"a", "noon", "camera", "all", metric, minimum, maximum};
 }
 
 Judgement judged(const Gate& threshold) {
@@ -104,7 +104,7 @@ TEST(Thresholds, RecordWhatWasJudged) {
   EXPECT_EQ(judgement.gate.light, "noon");
   EXPECT_EQ(judgement.gate.view, "camera");
   EXPECT_EQ(judgement.gate.region, "all");
-  EXPECT_EQ(judgement.gate.metric, "false_shadow");
+  EXPECT_EQ(judgement.gate.metric, compare::metrics::falseShadow);
   EXPECT_EQ(judgement.gate.step, "study");
   EXPECT_EQ(judgement.value, 0.02);
   EXPECT_EQ(judgement.gate.minimum, std::nullopt);

@@ -26,9 +26,9 @@ TEST(Ranking, BestFirstWithMeansOverAllCases) {
   EXPECT_EQ(ranked[1].label, "best");
   EXPECT_EQ(ranked[2].label, "rough, \"old\"");
   EXPECT_EQ(ranked[1].cases, 3U);
-  EXPECT_DOUBLE_EQ(*ranked[1].errorRate.value, 0.02);
-  EXPECT_DOUBLE_EQ(*ranked[1].falseShadow.value, 0.01 / 3);
-  EXPECT_DOUBLE_EQ(*ranked[1].falseLight.value, 0.05 / 3);
+  EXPECT_DOUBLE_EQ(*ranked[1].means.errorRate, 0.02);
+  EXPECT_DOUBLE_EQ(*ranked[1].means.falseShadow, 0.01 / 3);
+  EXPECT_DOUBLE_EQ(*ranked[1].means.falseLight, 0.05 / 3);
   EXPECT_DOUBLE_EQ(*ranked[0].iou.value, 242.0 / 254);
   EXPECT_DOUBLE_EQ(*ranked[0].ber.value, (4.0 / 750 + 8.0 / 250) / 2);
 }
@@ -51,7 +51,7 @@ TEST(Ranking, AMethodThatAnswersInFewerCasesHasNoRankHoweverSmallItsError) {
   ASSERT_EQ(ranked.size(), 4U);
   EXPECT_EQ(ranked[0].label, "close");
   EXPECT_EQ(ranked[0].rank, 1U);
-  EXPECT_DOUBLE_EQ(*ranked[0].errorRate.value, 0.012);
+  EXPECT_DOUBLE_EQ(*ranked[0].means.errorRate, 0.012);
   EXPECT_FALSE(ranked[0].leaderError);
   EXPECT_EQ(ranked[1].label, "best");
   EXPECT_EQ(ranked[2].rank, 3U);
@@ -59,7 +59,7 @@ TEST(Ranking, AMethodThatAnswersInFewerCasesHasNoRankHoweverSmallItsError) {
   EXPECT_FALSE(ranked[3].rank);
   EXPECT_EQ(ranked[3].cases, 1U);
   EXPECT_EQ(ranked[3].allCases, 2U);
-  EXPECT_DOUBLE_EQ(*ranked[3].errorRate.value, 0.001);
+  EXPECT_DOUBLE_EQ(*ranked[3].means.errorRate, 0.001);
   EXPECT_DOUBLE_EQ(*ranked[3].leaderError, 0.012);
 }
 
@@ -116,8 +116,8 @@ TEST(Ranking, UndefinedCasesAreLeftOutAndCounted) {
       result("best", "noon", "camera", "all", compare::Counts{0, 0, 0, 100, 100}));
   const RankedMethod best = rankMethods(record)[0];
   EXPECT_EQ(best.cases, 2U);
-  EXPECT_EQ(best.errorRate.cases, 2U);
-  EXPECT_DOUBLE_EQ(*best.errorRate.value, 0.005);
+  EXPECT_EQ(best.means.cases(), 2U);
+  EXPECT_DOUBLE_EQ(*best.means.errorRate, 0.005);
   EXPECT_EQ(best.iou.cases, 1U);
   EXPECT_DOUBLE_EQ(*best.iou.value, 245.0 / 255);
 }
@@ -128,7 +128,7 @@ TEST(Ranking, AMethodWithoutSamplesComesLast) {
                         result("none", "l", "camera", "all", compare::Counts{}));
   const std::vector<RankedMethod> ranked = rankMethods(record);
   EXPECT_EQ(ranked.back().label, "none");
-  EXPECT_FALSE(ranked.back().errorRate.value);
+  EXPECT_FALSE(ranked.back().means.errorRate);
   EXPECT_TRUE(rankMethods(StudyRecord{}).empty());
 }
 

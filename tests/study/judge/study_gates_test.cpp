@@ -27,7 +27,7 @@ max = 0.1
   EXPECT_EQ(study.thresholds[0].maximum, 0.05);
   EXPECT_EQ(study.thresholds[1].method, "");
   EXPECT_EQ(study.thresholds[1].region, "all");
-  EXPECT_EQ(study.thresholds[1].metric, "error_rate");
+  EXPECT_EQ(study.thresholds[1].metric, compare::metrics::errorRate);
   EXPECT_FALSE(study.thresholds[1].minimum);
 }
 
@@ -96,7 +96,7 @@ TEST_F(StudyGates, AClaimNamesTwoMethods) {
       plainStudy + "\n[[claim]]\ntext = \"t\"\nsource = \"s\"\nless = \"ours\"\n";
   const StudySpec study = read(claim + "than = \"max-forsyth\"\n");
   ASSERT_EQ(study.claims.size(), 1U);
-  EXPECT_EQ(study.claims[0].metric, "error_rate");
+  EXPECT_EQ(study.claims[0].metric, compare::metrics::errorRate);
   EXPECT_THAT(failure(claim), HasSubstr("claim.0.than: missing"));
   EXPECT_THAT(failure(claim + "than = \"theirs\"\n"),
               HasSubstr("\"theirs\" found, one of max-forsyth, ours expected"));
@@ -112,7 +112,7 @@ below = 1.05
 )");
   ASSERT_EQ(study.claims.size(), 1U);
   EXPECT_EQ(study.claims[0].method, "ours");
-  EXPECT_EQ(study.claims[0].metric, "shadow_length_ratio");
+  EXPECT_EQ(study.claims[0].metric, compare::metrics::shadowLengthRatio);
   EXPECT_EQ(study.claims[0].region, "beyond-terminator");
   EXPECT_EQ(study.claims[0].above, 0.95);
   EXPECT_EQ(study.claims[0].below, 1.05);

@@ -15,6 +15,9 @@
 namespace gnomon::study {
 namespace {
 
+using compare::MetricId;
+using compare::MetricKind;
+
 Judgement judgementOf(std::optional<double> value, std::optional<double> minimum,
                       std::optional<double> maximum) {
   return {{"", "", "", "", "", minimum, maximum}, GateVerdict::undefined, value};
@@ -97,24 +100,22 @@ TEST(CheckRecord, HasTheLargestStatus) {
 ResultRecord measured() {
   ResultRecord result{"m", "l", "v", "all", {270, 20, 30, 680, 1000}};
   result.lengths = compare::ShadowLengths{40, 1.25, 1.0, 1.5, 8.0};
-  for (const std::string_view name : compare::boundaryMetricNames()) {
-    result.boundaries.push_back({name, 0.25, {}});
+  for (const MetricId id : compare::metricsOfKinds({MetricKind::boundary})) {
+    result.boundaries.push_back({id, 0.25, {}});
   }
-  for (const std::string_view name : compare::shareMetricNames()) {
-    result.shares.push_back({name, 0.125, {}});
+  for (const MetricId id : compare::metricsOfKinds({MetricKind::share, MetricKind::penumbra})) {
+    result.shares.push_back({id, 0.125, {}});
   }
   return result;
 }
 
 TEST(ResultMetrics, AreRatesBoundariesLengthsAndShares) {
   const auto metrics = metricsOf(measured());
-  ASSERT_EQ(metrics.size(), metricNames().size());
-  ASSERT_EQ(metrics.size(), compare::rateNames().size() + 8 + 4 + 9);
+  ASSERT_EQ(metrics.size(), compare::allMetrics().size());
   for (std::size_t i = 0; i < metrics.size(); ++i) {
-    EXPECT_EQ(metrics[i].name, metricNames()[i]);
-    EXPECT_TRUE(metrics[i].value) << metrics[i].name;
-    EXPECT_EQ(metricOf(measured(), metrics[i].name).value, metrics[i].value);
-    EXPECT_EQ(isRate(metrics[i].name), i < compare::rateNames().size());
+    EXPECT_EQ(metrics[i].id, compare::allMetrics()[i]);
+    EXPECT_TRUE(metrics[i].value) << metrics[i].name();
+    EXPECT_EQ(metricOf(measured(), metrics[i].id).value, metrics[i].value);
   }
   EXPECT_EQ(metricOf(measured(), "error_rate").value, 0.05);
   EXPECT_EQ(metricOf(measured(), "assd").value, 0.25);
@@ -129,25 +130,24 @@ TEST(ResultMetrics, OfRegionsAreRatesAloneAndSayWhy) {
   region.lengths.reset();
   region.boundaries.clear();
   region.shares.clear();
-  for (const std::string_view name : metricNames()) {
-    if (isRate(name)) continue;
-    const compare::Metric metric = metricOf(region, name);
-    EXPECT_EQ(metric.name, name);
+  for (const MetricId id : compare::allMetrics()) {
+    if (id.kind() == MetricKind::rate) continue;
+    const compare::Metric metric = metricOf(region, id);
+    EXPECT_EQ(metric.id, id);
     EXPECT_EQ(metric.value, std::nullopt);
-    const auto& ofShares = compare::shareMetricNames();
-    const bool isShare = std::find(ofShares.begin(), ofShares.end(), name) != ofShares.end();
+    const bool isShare = id.kind() == MetricKind::share || id.kind() == MetricKind::penumbra;
     EXPECT_EQ(metric.reason, isShare ? "measured over all samples together under a soft light only"
                                      : "measured over all samples together only");
   }
-  EXPECT_EQ(metricsOf(region).size(), metricNames().size() - 9)
+  EXPECT_EQ(metricsOf(region).size(), compare::allMetrics().size() - 9)
       << "no row of a point light has them";
   EXPECT_EQ(metricOf(region, "error_rate").value, 0.05);
 }
 
 TEST(ResultMetrics, AreUncertainByWhatTheCoarserTruthIsOff) {
   UncertaintyRecord truth{"v", "l", 0.5, 0.125, {}};
-  for (const std::string_view name : compare::boundaryMetricNames()) {
-    EXPECT_EQ(metricUncertainty(truth, name), std::numeric_limits<double>::infinity());
+  for (const MetricId id : compare::metricsOfKinds({MetricKind::boundary})) {
+    EXPECT_EQ(metricUncertainty(truth, id), std::numeric_limits<double>::infinity());
   }
   truth.boundaries = measured().boundaries;
   EXPECT_EQ(metricUncertainty(truth, "assd"), 0.25);
@@ -163,10 +163,6 @@ TEST(ResultMetrics, AreUncertainByWhatTheCoarserTruthIsOff) {
   EXPECT_THROW((void)metricUncertainty(truth, "error_rate"), InternalError);
 }
 
-TEST(ResultMetrics, RefuseOtherNames) {
-  EXPECT_THROW((void)metricOf(measured(), "shadow_length"), InternalError);
-}
-
 /// A record with something in every list, no two members alike.
 StudyRecord sample() {
   StudyRecord record;
@@ -177,11 +173,10 @@ StudyRecord sample() {
   record.radius = {12.5, "a rule"};
   record.truth.microTriangles = 1'000'003;
   record.truth.flips = {{"camera", "evening", 0.25, 0.5, {}}};
-  for (const std::string_view name : compare::boundaryMetricNames()) {
-    record.truth.flips[0].boundaries.push_back({name, 0.125, {}});
+  for (const compare::MetricId id : compare::metricsOfKinds({compare::MetricKind::boundary})) {
+    record.truth.flips[0].boundaries.push_back({id, 0.125, {}});
   }
-  record.truth.flips[0].boundaries[0] = {
-      compare::boundaryMetricNames()[0], {}, compare::boundaryReasons()[0]};
+  record.truth.flips[0].boundaries[0] = {"assd", {}, compare::boundaryReasons()[0]};
   record.methods = {{"ours", "onoue-2004", "title", "citation", {"curvature", "circle"}}};
   record.refused = {{"theirs", "a reason"}};
   ResultRecord result;
@@ -240,7 +235,7 @@ TEST(RecordFields, ComeBackToTheBit) {
   EXPECT_EQ(cache::bytesOf(read), bytes);
   EXPECT_EQ(read.name, "small/5");
   EXPECT_EQ(read.truth.flips[0].boundaries[0].reason, compare::boundaryReasons()[0]);
-  EXPECT_EQ(read.truth.flips[0].boundaries[1].name, compare::boundaryMetricNames()[1]);
+  EXPECT_EQ(read.truth.flips[0].boundaries[1].name(), "hd95");
   EXPECT_EQ(read.truth.flips[0].boundaries[1].value, 0.125);
   EXPECT_EQ(read.results[1].lengths, record.results[1].lengths);
   EXPECT_EQ(read.results[1].answer, Answer::test);

@@ -116,7 +116,7 @@ void requireGates(const study::StudyPlan& plan, const CheckRequest& request) {
   if (!study.thresholds.empty()) {
     throw InputError(fmt::format(
         "{}: every [[threshold]] is on {}, which is the truth's alone, so no method is checked",
-        study.file.string(), study.thresholds.front().metric));
+        study.file.string(), study.thresholds.front().metric.name()));
   }
   throw InputError(
       fmt::format("{}: {}, so there is nothing to check", study.file.string(),

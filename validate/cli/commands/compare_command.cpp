@@ -27,6 +27,8 @@ namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
+using compare::MetricKind;
+
 constexpr const char* compareExamples = R"(
 White is lit, black is shadowed; Gnomon's grey (128) and alpha 0 mean no sample. All pixels count the
 same. --max and --min take any metric of the table, shares as 0.02 or "2 %"; a metric that is not
@@ -64,25 +66,27 @@ void requireLimit(const study::Gate& gate, const compare::PictureExtent& picture
 /// @param option  "--max" or "--min"
 study::Gate gateOf(const std::string& option, const std::string& text) {
   const std::size_t equals = text.find('=');
-  const std::string metric = text.substr(0, equals);
-  std::vector<std::string_view> names = compare::maskMetricNames();
-  for (const std::string_view name : compare::pictureShareNames()) names.push_back(name);
   if (equals == std::string::npos) {
     throw UsageError(fmt::format("{} {}: METRIC=VALUE expected", option, text));
   }
-  if (!contains(names, metric)) {
-    throw UsageError(fmt::format("{} {}: no metric \"{}\", one of {} expected", option, text,
-                                 metric, fmt::join(names, ", ")));
+  const std::string name = text.substr(0, equals);
+  const std::vector<compare::MetricId> known =
+      compare::metricsOfKinds({MetricKind::rate, MetricKind::boundary, MetricKind::share});
+  const auto found = std::find_if(known.begin(), known.end(),
+                                  [&](compare::MetricId id) { return id.name() == name; });
+  if (found == known.end()) {
+    throw UsageError(fmt::format("{} {}: no metric \"{}\", one of {} expected", option, text, name,
+                                 fmt::join(compare::namesOf(known), ", ")));
   }
   constexpr double any = std::numeric_limits<double>::max();
   const auto value =
-      compare::limitOfText(text.substr(equals + 1), compare::metricRange(metric, {any, any}));
+      compare::limitOfText(text.substr(equals + 1), compare::metricRange(*found, {any, any}));
   if (!value || !std::isfinite(*value)) {
     throw UsageError(
         fmt::format("{} {}: a number expected after =, or of a share a percentage", option, text));
   }
   study::Gate gate;
-  gate.metric = metric;
+  gate.metric = *found;
   (option == "--max" ? gate.maximum : gate.minimum) = value;
   gate.origin = study::CompareOption{option + " " + text};
   requireLimit(gate, {any, any});
@@ -99,18 +103,17 @@ std::vector<study::Gate> gatesOf(const CompareRequest& request) {
       });
   if (judgesNothing) {
     throw UsageError(fmt::format("{}: {} is the truth's alone, a gate on the candidate expected",
-                                 optionOf(gates.front()), gates.front().metric));
+                                 optionOf(gates.front()), gates.front().metric.name()));
   }
   return gates;
 }
 
 /// One of the metrics; without a value where only shares have it.
-compare::Metric foundMetric(const std::vector<compare::Metric>& metrics, const std::string& name) {
-  const bool isThere =
-      std::any_of(metrics.begin(), metrics.end(),
-                  [&](const compare::Metric& metric) { return metric.name == name; });
-  if (isThere) return compare::metricNamed(metrics, name);
-  return {name, std::nullopt, "measured of pictures that hold shares only"};
+compare::Metric foundMetric(const std::vector<compare::Metric>& metrics, compare::MetricId id) {
+  if (id.kind() == MetricKind::share && metrics.back().id.kind() != MetricKind::share) {
+    return {id, std::nullopt, "measured of pictures that hold shares only"};
+  }
+  return compare::metricNamed(metrics, id);
 }
 
 /// @throws UsageError for a limit that no picture of the truth's size could miss, or none could

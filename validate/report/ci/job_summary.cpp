@@ -37,9 +37,10 @@ std::string faultRow(const study::CheckRecord& check, const study::Judgement& ju
                                  ? ""
                                  : fmt::format(", {}", study::answerName(gate.answer));
   return fmt::format("| {} | {} | {} | {}, {}{} | {} | {} | {} | {} |\n", cell(check.name),
-                     cell(gate.method), cell(gate.metric), cell(gate.view), cell(gate.light),
-                     answer, number(judgement.value), number(study::committedValue(gate)),
-                     cell(limitText(gate, 4)), cell(place.file));
+                     cell(gate.method), cell(std::string(gate.metric.name())), cell(gate.view),
+                     cell(gate.light), answer, number(judgement.value),
+                     number(study::committedValue(gate)), cell(limitText(gate, 4)),
+                     cell(place.file));
 }
 
 std::string faultTable(std::span<const study::CheckRecord> checks) {
@@ -92,7 +93,7 @@ std::optional<WorstCase> worstCase(std::span<const study::StudyRecord> records,
         const bool isOfRow =
             gate.method == row.method && gate.view == row.view && gate.light == row.light;
         if (!isOfRow || !judgement.isFault() || !margin) continue;
-        const bool isShare = !study::isLengthMetric(gate.metric);
+        const bool isShare = gate.metric.unit() == compare::MetricUnit::share;
         const bool isWorse = !worst || (isShare && !worstIsShare) ||
                              (isShare == worstIsShare && *margin < worst->margin);
         if (!isWorse) continue;

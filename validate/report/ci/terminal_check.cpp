@@ -45,7 +45,7 @@ Cells cellsOf(const study::Judgement& judgement) {
   const study::Gate& gate = judgement.gate;
   const auto margin = judgement.margin();
   return {anyOr(gate.method),
-          gate.metric,
+          std::string(gate.metric.name()),
           placeText(gate),
           judgement.value ? fmt::format("{:.4f}", *judgement.value) : "–",
           limitText(gate),

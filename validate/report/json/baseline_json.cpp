@@ -40,7 +40,7 @@ Json valueJson(const study::Gate& gate) {
           {"view", gate.view},
           {"light", gate.light},
           {"answer", study::answerName(gate.answer)},
-          {"metric", gate.metric},
+          {"metric", gate.metric.name()},
           {"value", jsonNumber(reference.committed, "values.value")},
           {"spread", jsonNumber(reference.spread, "values.spread")},
           {"tolerance", jsonNumber(reference.tolerance, "values.tolerance")}};
@@ -67,10 +67,10 @@ study::EnvironmentRecord readEnvironment(const JsonReader& reader) {
 }
 
 /// @throws InputError for numbers that the metric cannot have, or a tolerance that is too large
-void requireSense(const JsonReader& reader, const std::string& metric,
+void requireSense(const JsonReader& reader, compare::MetricId metric,
                   const study::Reference& reference) {
   const auto [value, spread, tolerance] = reference;
-  const bool isShare = !study::isLengthMetric(metric);
+  const bool isShare = metric.unit() == compare::MetricUnit::share;
   if (!(value >= 0) || (isShare && value > 1)) {
     reader.fail("value",
                 fmt::format("{} found, {} expected", value, isShare ? "0 to 1" : "at least 0"));
@@ -97,7 +97,6 @@ study::Gate readGate(const JsonReader& reader) {
   row.method = reader.text("method");
   row.light = reader.text("light");
   row.view = reader.text("view");
-  row.metric = reader.text("metric");
   const study::Reference reference{reader.number("value"), reader.number("spread"),
                                    reader.number("tolerance")};
   const std::string answer = reader.text("answer");
@@ -105,14 +104,17 @@ study::Gate readGate(const JsonReader& reader) {
     reader.fail("answer", fmt::format("\"{}\" found, drawn or test expected", answer));
   }
   row.answer = *study::answerOfName(answer);
-  if (!contains(study::baselineMetrics(row.answer), row.metric)) {
-    reader.fail("metric", fmt::format("\"{}\" found, a metric of baselines expected", row.metric));
+  const std::string name = reader.text("metric");
+  const auto metric = compare::MetricId::find(name);
+  if (!metric || !contains(study::baselineMetrics(row.answer), *metric)) {
+    reader.fail("metric", fmt::format("\"{}\" found, a metric of baselines expected", name));
   }
+  row.metric = *metric;
   requireSense(reader, row.metric, reference);
   study::Gate gate = study::referenceGate(std::move(row), reference);
   if (!study::canFail(gate)) {
     reader.fail("tolerance", fmt::format("{} found, but with it no value of {} could be too bad",
-                                         reference.tolerance, gate.metric));
+                                         reference.tolerance, gate.metric.name()));
   }
   return gate;
 }

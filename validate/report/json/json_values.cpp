@@ -92,7 +92,7 @@ Json jsonReason(const std::string& reason) {
 void addMetrics(Json& json, const std::vector<compare::Metric>& metrics) {
   Json undefined = Json::object();
   for (const compare::Metric& metric : metrics) {
-    const std::string name(metric.name);
+    const std::string name(metric.name());
     json[name] = jsonNumber(metric.value, name);
     if (!metric.value) undefined[name] = metric.reason;
   }
@@ -185,14 +185,14 @@ Json jsonJudgement(const study::Judgement& judgement) {
   std::visit(Overloaded{[&](const study::Threshold&) {
                           addRow();
                           json["region"] = gate.region;
-                          json["metric"] = gate.metric;
+                          json["metric"] = gate.metric.name();
                           addValue("thresholds");
                           json["passed"] = passed;
                           json["reason"] = jsonReason(judgement.reason);
                         },
                         [&](const study::Reference& reference) {
                           addRow();
-                          json["metric"] = gate.metric;
+                          json["metric"] = gate.metric.name();
                           json["committed"] =
                               jsonNumber(reference.committed, "references.committed");
                           addValue("references");
@@ -200,7 +200,7 @@ Json jsonJudgement(const study::Judgement& judgement) {
                           json["reason"] = jsonReason(judgement.reason);
                         },
                         [&](const study::CompareOption&) {
-                          json["metric"] = gate.metric;
+                          json["metric"] = gate.metric.name();
                           addValue("gates");
                           json["passed"] = passed;
                         }},

@@ -53,14 +53,12 @@ std::string countsLine(const compare::Counts& counts) {
                      pixels(counts.falseNegative), pixels(counts.trueNegative));
 }
 
-bool isShare(std::string_view metric) {
-  return compare::metricRange(metric, {}).isShare;
-}
-
 /// With so many significant digits, a share in percent; a value that is not 1 never looks so.
-std::string figureText(double value, std::string_view metric, int digits) {
-  if (!isShare(metric)) return fmt::format("{:.{}g}", requireFinite(value, metric), digits);
-  const std::string text = fmt::format("{:.{}g}", 100 * requireFinite(value, metric), digits);
+std::string figureText(double value, compare::MetricId metric, int digits) {
+  if (metric.unit() != compare::MetricUnit::share)
+    return fmt::format("{:.{}g}", requireFinite(value, metric.name()), digits);
+  const std::string text =
+      fmt::format("{:.{}g}", 100 * requireFinite(value, metric.name()), digits);
   return (text == "100" && value != 1 ? exactText(100 * value) : text) + " %";
 }
 
@@ -78,9 +76,9 @@ Table metricsFound(const std::vector<compare::Metric>& metrics) {
   table.columns[0].width = 18;
   table.columns[1].width = 12;
   for (const compare::Metric& metric : metrics) {
-    Row row{{textCell(std::string(metric.name)), metricCell(metric),
+    Row row{{textCell(std::string(metric.name())), metricCell(metric),
              textCell(std::string(metric.reason))}};
-    if (metric.value) row.cells[1].text = figureText(*metric.value, metric.name, 6);
+    if (metric.value) row.cells[1].text = figureText(*metric.value, metric.id, 6);
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -91,7 +89,7 @@ std::string failureText(const study::Judgement& judgement) {
   constexpr int digits = 12;  // a value and the limit that it misses differ in them
   const auto figure = [&](double value) { return figureText(value, gate.metric, digits); };
   std::string text =
-      fmt::format("{} is {}", gate.metric,
+      fmt::format("{} is {}", gate.metric.name(),
                   judgement.value ? figure(*judgement.value) : "undefined: " + judgement.reason);
   if (gate.maximum) text += fmt::format(", at most {} allowed", figure(*gate.maximum));
   if (gate.minimum) text += fmt::format(", at least {} required", figure(*gate.minimum));

@@ -15,9 +15,11 @@ namespace {
 Row rowOf(const std::string& name, const compare::Counts& counts,
           const compare::ConfidenceInterval& confidence, std::optional<double> uncertainty) {
   return {{textCell(name), countCell(counts.samples),
-           metricCell(compare::rate(counts, "error_rate")), intervalCell(confidence.interval),
-           metricCell(compare::rate(counts, "false_shadow")),
-           metricCell(compare::rate(counts, "false_light")), valueCell(uncertainty)}};
+           metricCell(compare::rate(counts, compare::metrics::errorRate)),
+           intervalCell(confidence.interval),
+           metricCell(compare::rate(counts, compare::metrics::falseShadow)),
+           metricCell(compare::rate(counts, compare::metrics::falseLight)),
+           valueCell(uncertainty)}};
 }
 
 Table pairsTable(const MaskFolders& folders) {

@@ -56,8 +56,9 @@ Json binJson(const study::BinRecord& bin) {
                {"fp", jsonNumber(bin.counts.falsePositive, "bins.fp")},
                {"fn", jsonNumber(bin.counts.falseNegative, "bins.fn")},
                {"tn", jsonNumber(bin.counts.trueNegative, "bins.tn")}};
-  for (const char* name : {"error_rate", "false_shadow", "false_light"}) {
-    json[name] = jsonNumber(compare::rate(bin.counts, name).value, name);
+  for (const compare::MetricId id :
+       {compare::metrics::errorRate, compare::metrics::falseShadow, compare::metrics::falseLight}) {
+    json[std::string(id.name())] = jsonNumber(compare::rate(bin.counts, id).value, id.name());
   }
   return json;
 }

@@ -88,7 +88,7 @@ Rate rateOf(const study::StudyRecord& record, const study::Case& which, const st
   }
   const study::ResultRecord* row = study::findResult(record, method, which);
   if (row == nullptr) return {};
-  const compare::Metric error = compare::rate(row->counts, "error_rate");
+  const compare::Metric error = compare::rate(row->counts, compare::metrics::errorRate);
   return {"error " + percentText(error.value) + "\u202f%", std::string(error.reason)};
 }
 

@@ -66,13 +66,13 @@ Html answerHtml(const study::StudyRecord& record, const std::vector<study::Ranke
   const study::RankedMethod& best = ranked.front();
   const Html text =
       html("Of {}, <b>{}</b> is closest to the {}: {}, {}.", plural(inAllCases, "method"),
-           best.label, htmlTerm("truth"), errorHtml(study::isSoft(record), best.errorRate.value),
+           best.label, htmlTerm("truth"), errorHtml(study::isSoft(record), best.means.errorRate),
            placesText(record));
   if (!best.uncertainty) {
     return html("{} How uncertain the truth itself is was not measured.", text);
   }
   const bool isNone =
-      !study::isDistinguishable({*best.errorRate.value, best.interval, *best.uncertainty});
+      !study::isDistinguishable({*best.means.errorRate, best.means.interval, *best.uncertainty});
   return html("{} The truth itself is {} by {}&#8239;%{}.", text,
               htmlTerm("uncertainty of the truth", "uncertain"), percentText(best.uncertainty),
               isNone ? ": so small an error is not distinguishable from none" : "");

@@ -31,7 +31,7 @@ const study::PanelRecord* worstPanel(const study::StudyRecord& record, const std
   for (const study::PanelRecord& panel : record.panels) {
     if (shadedPicture(panel, method) == nullptr) continue;
     const auto error = study::rateOf(record, method, {panel.view, panel.light},
-                                     study::Answer::drawn, "error_rate");
+                                     study::Answer::drawn, compare::metrics::errorRate);
     if (error.value_or(-1) <= largest) continue;
     largest = *error;
     worst = &panel;

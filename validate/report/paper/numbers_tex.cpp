@@ -102,7 +102,7 @@ void addSamples(Numbers& numbers, const study::StudyRecord& record,
   for (const study::ResultRecord* row :
        study::rankedRows(record, first.label, study::Answer::drawn)) {
     samples += row->counts.samples;
-    shadowed.push_back(compare::rate(row->counts, "prevalence").value);
+    shadowed.push_back(compare::rate(row->counts, compare::metrics::prevalence).value);
   }
   addCount(numbers, "samples", samples, "samples of all views and lights");
   numbers.add({"prevalence"}, percentText(study::meanOf(shadowed)),

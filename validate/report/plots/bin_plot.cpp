@@ -54,7 +54,8 @@ const study::BinRecord* findBin(const std::vector<const study::BinRecord*>& bins
 std::optional<double> errorIn(const std::vector<const study::BinRecord*>& bins,
                               const std::string& method, const Ends& ends) {
   const study::BinRecord* bin = findBin(bins, method, ends);
-  return bin == nullptr ? std::nullopt : compare::rate(bin->counts, "error_rate").value;
+  return bin == nullptr ? std::nullopt
+                        : compare::rate(bin->counts, compare::metrics::errorRate).value;
 }
 
 /// Where a bin lies on the axis. An open bin is drawn as wide as its neighbour.

@@ -58,7 +58,8 @@ LightMean meanUnder(const study::StudyRecord& step, const std::string& method,
   std::vector<std::optional<double>> errors, lows, highs;
   for (const study::Case& which : study::comparedCases(step)) {
     if (which.light != light) continue;
-    const auto error = study::rateOf(step, method, which, study::Answer::drawn, "error_rate");
+    const auto error =
+        study::rateOf(step, method, which, study::Answer::drawn, compare::metrics::errorRate);
     if (!error) continue;
     errors.push_back(error);
     const auto found = study::findConfidence(step, which.view, light, method);

@@ -15,7 +15,7 @@ namespace gnomon::report {
 namespace {
 
 struct CaseMetric {
-  const char* metric;
+  compare::MetricId metric;
   const char* name;
   Quantity quantity = Quantity::percent;
   unsigned readers = byAll;
@@ -37,9 +37,7 @@ constexpr std::array<CaseMetric, 9> caseMetrics = {
 Cell lengthCell(const study::ResultRecord& row, const compare::Metric& ratio) {
   Cell cell = metricCell(ratio);
   if (!ratio.value) return cell;
-  const auto text = [&](std::string_view name) {
-    return ratioText(study::metricOf(row, name).value);
-  };
+  const auto text = [&](compare::MetricId id) { return ratioText(study::metricOf(row, id).value); };
   cell.about = fmt::format("quartiles {} and {} over {:.0f} runs", text("shadow_length_q1"),
                            text("shadow_length_q3"), row.lengths->runs);
   return cell;
@@ -63,7 +61,7 @@ struct CaseResults {
 CaseResults resultsOf(const study::StudyRecord& record, const std::vector<std::string>& methods,
                       const study::Case& which) {
   const auto errorOf = [](const study::ResultRecord& result) {
-    return study::metricOf(result, "error_rate").value;
+    return study::metricOf(result, compare::metrics::errorRate).value;
   };
   CaseResults results;
   for (const std::string& method : methods) {
@@ -96,13 +94,14 @@ Cell methodCell(const std::string& method, const study::LikeMethods& like) {
 
 Cell regionCell(const study::ResultRecord* row, double worst) {
   if (row == nullptr) return valueCell({}, "not evaluated");
-  const compare::Metric error = compare::rate(row->counts, "error_rate");
+  const compare::Metric error = compare::rate(row->counts, compare::metrics::errorRate);
   if (!error.value) return metricCell(error);
-  return heatCell(*error.value, worst,
-                  fmt::format("{} samples, false shadow {} %, false light {} %",
-                              groupedText(row->counts.samples),
-                              percentText(compare::rate(row->counts, "false_shadow").value),
-                              percentText(compare::rate(row->counts, "false_light").value)));
+  return heatCell(
+      *error.value, worst,
+      fmt::format("{} samples, false shadow {} %, false light {} %",
+                  groupedText(row->counts.samples),
+                  percentText(compare::rate(row->counts, compare::metrics::falseShadow).value),
+                  percentText(compare::rate(row->counts, compare::metrics::falseLight).value)));
 }
 
 /// The samples of a region, where all methods were asked at the same ones.
@@ -139,7 +138,7 @@ void addValues(Table& table, const Names& names) {
 }
 
 constexpr std::array<const char*, 5> countNames = {"samples", "tp", "fp", "fn", "tn"};
-constexpr std::array<const char*, 3> binRates = {"error_rate", "false_shadow", "false_light"};
+constexpr std::array<compare::MetricId, 3> binRates = {"error_rate", "false_shadow", "false_light"};
 
 }  // namespace
 
@@ -148,7 +147,8 @@ Table caseTable(const study::StudyRecord& record, std::span<const study::Case> c
   const bool namesLights = cases.size() > 1;
   if (namesLights) table.columns.insert(table.columns.begin(), Column{"Light", "light"});
   for (const CaseMetric& metric : caseMetrics) {
-    table.columns.push_back({metric.name, metric.metric, metric.quantity, metric.readers});
+    table.columns.push_back(
+        {metric.name, std::string(metric.metric.name()), metric.quantity, metric.readers});
     if (metric.quantity == Quantity::correlation) table.columns.back().note = "−1 to 1";
   }
   const std::vector<std::string> methods = study::methodsOf(record);
@@ -185,9 +185,9 @@ Table caseErrorsTable(const study::StudyRecord& record, const std::vector<std::s
   for (const std::string& method : methods) {
     table.columns.push_back({method, method, Quantity::percent});
     for (const study::Case& which : cases) {
-      worst = std::max(
-          worst,
-          study::rateOf(record, method, which, study::Answer::drawn, "error_rate").value_or(0));
+      worst = std::max(worst, study::rateOf(record, method, which, study::Answer::drawn,
+                                            compare::metrics::errorRate)
+                                  .value_or(0));
     }
   }
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -214,7 +214,8 @@ Table regionTable(const study::StudyRecord& record, const study::Case& which) {
     for (const std::string& method : methods) {
       const study::ResultRecord* row = study::findResult(record, method, which, region);
       if (row == nullptr) continue;
-      worst = std::max(worst, compare::rate(row->counts, "error_rate").value.value_or(0));
+      worst = std::max(worst,
+                       compare::rate(row->counts, compare::metrics::errorRate).value.value_or(0));
     }
   }
   for (const std::string& method : methods) {
@@ -235,7 +236,9 @@ Table metricsTable(const study::StudyRecord& record) {
   // Columns of shares only where a light has a disc.
   const bool isSoft = std::any_of(record.results.begin(), record.results.end(),
                                   [](const auto& result) { return !result.shares.empty(); });
-  addValues(table, isSoft ? study::metricNames() : study::pointLightMetricNames());
+  using enum compare::MetricKind;
+  addValues(table, compare::namesOf(isSoft ? compare::allMetrics()
+                                           : compare::metricsOfKinds({rate, boundary, length})));
   for (const study::ResultRecord& result : record.results) {
     Row row{{textCell(record.name), textCell(result.method), textCell(result.light),
              textCell(result.view), textCell(std::string(study::answerName(result.answer))),
@@ -254,13 +257,13 @@ Table binsTable(const study::StudyRecord& record) {
   addTexts(table, {"study", "method", "view", "light", "axis"});
   addValues(table, std::array{"low", "high"});
   addValues(table, countNames);
-  addValues(table, binRates);
+  addValues(table, compare::namesOf(binRates));
   for (const study::BinRecord& bin : record.bins) {
     Row row{{textCell(record.name), textCell(bin.method), textCell(bin.view), textCell(bin.light),
              textCell(bin.axis), valueCell(bin.low), valueCell(bin.high)}};
     appendCounts(row, bin.counts);
-    for (const char* name : binRates)
-      row.cells.push_back(valueCell(compare::rate(bin.counts, name).value));
+    for (const compare::MetricId id : binRates)
+      row.cells.push_back(valueCell(compare::rate(bin.counts, id).value));
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -53,9 +53,9 @@ Table gateTable(std::span<const study::Judgement> judgements) {
     const std::optional<double> committed = study::committedValue(gate);
     table.rows.push_back(
         {{verdictCell(judgement), textCell(gate.method), textCell(gate.view), textCell(gate.light),
-          textCell(gate.region), textCell(gate.metric), gateValueCell(committed, ""),
-          gateValueCell(judgement.value, judgement.reason), changeCell(judgement, committed),
-          textCell(limitText(gate))}});
+          textCell(gate.region), textCell(std::string(gate.metric.name())),
+          gateValueCell(committed, ""), gateValueCell(judgement.value, judgement.reason),
+          changeCell(judgement, committed), textCell(limitText(gate))}});
   }
   return table;
 }

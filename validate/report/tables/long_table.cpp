@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "common/lists.h"
-#include "compare/boundaries.h"
-#include "compare/shadow_length.h"
 #include "report/tables/formats/csv_format.h"
 #include "study/judge/baseline.h"
 #include "study/judge/claim_cases.h"
@@ -17,17 +15,24 @@ namespace gnomon::report {
 namespace {
 
 std::string unitOf(const study::StudyRecord& record, const study::ResultRecord& result,
-                   std::string_view metric) {
-  if (metric == "mcc") return "correlation";
-  if (metric == "shadow_runs" || metric == "penumbra_runs") return "count";
-  if (metric.starts_with("penumbra_width")) return "ratio";
-  if (contains(compare::lengthMetricNames(), metric)) return "ratio";
-  if (study::isRate(metric) || !compare::isBoundaryDistance(metric)) return "share";
+                   compare::MetricId metric) {
+  switch (metric.unit()) {
+    case compare::MetricUnit::share:
+      return "share";
+    case compare::MetricUnit::correlation:
+      return "correlation";
+    case compare::MetricUnit::ratio:
+      return "ratio";
+    case compare::MetricUnit::count:
+      return "count";
+    case compare::MetricUnit::distance:
+      break;
+  }
   return contains(record.atlasViews, result.view) ? "texels" : "pixels";
 }
 
 /// Whether the table has a metric of a row: of the test alone only what ranks it.
-bool isTold(const study::ResultRecord& result, std::string_view metric) {
+bool isTold(const study::ResultRecord& result, compare::MetricId metric) {
   if (result.answer == study::Answer::drawn) return true;
   return result.region == study::wholeRegion &&
          contains(study::baselineMetrics(study::Answer::test), metric);
@@ -35,18 +40,19 @@ bool isTold(const study::ResultRecord& result, std::string_view metric) {
 
 std::optional<compare::Interval> intervalOf(const study::StudyRecord& record,
                                             const study::ResultRecord& result,
-                                            std::string_view metric) {
-  const bool isScore = metric == "error_rate" && result.region == study::wholeRegion &&
-                       result.answer == study::Answer::drawn;
+                                            compare::MetricId metric) {
+  const bool isScore = metric == compare::metrics::errorRate &&
+                       result.region == study::wholeRegion && result.answer == study::Answer::drawn;
   if (!isScore) return std::nullopt;
   const auto confidence = study::findConfidence(record, result.view, result.light, result.method);
   return confidence ? confidence->interval : std::nullopt;
 }
 
 std::optional<double> uncertaintyOf(const study::StudyRecord& record,
-                                    const study::ResultRecord& result, const std::string& metric) {
+                                    const study::ResultRecord& result, compare::MetricId metric) {
   // A length whose error was not measured would read as exact.
-  if (!study::isRate(metric) && !study::spreadOf(record, {result.view, result.light}, metric)) {
+  if (metric.kind() != compare::MetricKind::rate &&
+      !study::spreadOf(record, {result.view, result.light}, metric)) {
     return std::nullopt;
   }
   const double uncertainty = study::uncertaintyIn(record, result, metric);
@@ -83,19 +89,18 @@ Table longTable(const std::vector<study::SweptKey>& keys, const study::SweepCase
   Table table = emptyTable(keys);
   for (const study::ResultRecord& result : record.results) {
     for (const compare::Metric& metric : study::metricsOf(result)) {
-      if (!metric.value || !isTold(result, metric.name)) continue;
-      const std::string name(metric.name);
+      if (!metric.value || !isTold(result, metric.id)) continue;
       Row row{{countCell(number)}};
       for (const study::SweptValue& value : which.values) row.cells.push_back(sweptCell(value));
       for (const std::string& text :
            {result.method, result.view, result.light, std::string(study::answerName(result.answer)),
-            result.region, name}) {
+            result.region, std::string(metric.name())}) {
         row.cells.push_back(textCell(text));
       }
       row.cells.push_back(valueCell(metric.value));
-      row.cells.push_back(intervalCell(intervalOf(record, result, name)));
-      row.cells.push_back(valueCell(uncertaintyOf(record, result, name)));
-      row.cells.push_back(textCell(unitOf(record, result, name)));
+      row.cells.push_back(intervalCell(intervalOf(record, result, metric.id)));
+      row.cells.push_back(valueCell(uncertaintyOf(record, result, metric.id)));
+      row.cells.push_back(textCell(unitOf(record, result, metric.id)));
       table.rows.push_back(std::move(row));
     }
   }

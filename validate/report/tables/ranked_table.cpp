@@ -37,20 +37,20 @@ std::vector<std::string> notesOf(const Methods& ranked) {
 double barScale(const std::vector<study::RankedMethod>& ranked) {
   double scale = 0;
   for (const study::RankedMethod& method : ranked) {
-    const double error = method.errorRate.value.value_or(0);
+    const double error = method.means.errorRate.value_or(0);
     scale = std::max({scale, error + method.uncertainty.value_or(0),
-                      method.interval ? method.interval->high : 0});
+                      method.means.interval ? method.means.interval->high : 0});
   }
   return scale;
 }
 
 std::optional<ErrorBar> barOf(const study::RankedMethod& method, double scale) {
-  if (!method.errorRate.value) return std::nullopt;
-  return ErrorBar{*method.errorRate.value,
-                  method.falseShadow.value.value_or(0),
-                  method.falseLight.value.value_or(0),
+  if (!method.means.errorRate) return std::nullopt;
+  return ErrorBar{*method.means.errorRate,
+                  method.means.falseShadow.value_or(0),
+                  method.means.falseLight.value_or(0),
                   method.uncertainty,
-                  method.interval,
+                  method.means.interval,
                   scale};
 }
 
@@ -71,21 +71,22 @@ Row rankedRow(const study::StudyRecord& record, const study::RankedMethod& metho
   Cell name = textCell(method.label);
   name.bar = barOf(method, scale);
   name.note = likeText(method.like);
-  Cell error = valueCell(method.errorRate.value);
+  Cell error = valueCell(method.means.errorRate);
   error.uncertainty = method.uncertainty;
   const auto mean = [&](const study::Mean& of) { return meanCell(of, method.cases); };
-  return {{rankCell(method.rank), name, error,
-           intervalCell(method.interval, method.interval ? "" : "no interval was measured"),
-           valueCell(method.uncertainty), toBestCell(method), mean(method.testError),
-           mean(method.falseShadow), mean(method.falseLight), mean(method.iou), mean(method.ber),
-           countCell(method.cases), countCell(method.allCases), valueCell(method.leaderError),
-           valueCell(cost ? std::optional(static_cast<double>(memoryBytes(*cost))) : std::nullopt),
-           valueCell(cost ? cost->frameMs : std::nullopt)},
-          signOf(method),
-          method.rank
-              ? ""
-              : fewerCasesText(method.cases, method.allCases, best.label, method.leaderError),
-          !method.rank};
+  return {
+      {rankCell(method.rank), name, error,
+       intervalCell(method.means.interval, method.means.interval ? "" : "no interval was measured"),
+       valueCell(method.uncertainty), toBestCell(method), mean(method.testError),
+       valueCell(method.means.falseShadow), valueCell(method.means.falseLight), mean(method.iou),
+       mean(method.ber), countCell(method.cases), countCell(method.allCases),
+       valueCell(method.leaderError),
+       valueCell(cost ? std::optional(static_cast<double>(memoryBytes(*cost))) : std::nullopt),
+       valueCell(cost ? cost->frameMs : std::nullopt)},
+      signOf(method),
+      method.rank ? ""
+                  : fewerCasesText(method.cases, method.allCases, best.label, method.leaderError),
+      !method.rank};
 }
 
 bool isTimed(const study::StudyRecord& record) {

@@ -31,8 +31,9 @@ std::optional<int> decimalsOf(const study::Judgement& judgement) {
 }
 
 std::string nameWith(const study::Gate& gate, const std::string& limit) {
-  std::string name = fmt::format("{}, {} {}, {}, {}", anyOr(gate.method, "method"), gate.metric,
-                                 limit, anyOr(gate.view, "view"), anyOr(gate.light, "light"));
+  std::string name =
+      fmt::format("{}, {} {}, {}, {}", anyOr(gate.method, "method"), gate.metric.name(), limit,
+                  anyOr(gate.view, "view"), anyOr(gate.light, "light"));
   if (gate.region != study::wholeRegion) name += ", region " + gate.region;
   if (gate.answer != study::Answer::drawn)
     name += fmt::format(", answer {}", study::answerName(gate.answer));

@@ -18,13 +18,17 @@
 namespace gnomon::study {
 namespace {
 
-constexpr std::array<std::string_view, 5> metrics = {"error_rate", "false_shadow", "false_light",
-                                                     "shadow_length_ratio", "prevalence"};
+constexpr std::array<compare::MetricId, 5> committedMetrics = {
+    "error_rate", "false_shadow", "false_light", "shadow_length_ratio", "prevalence"};
+
+bool isLength(compare::MetricId metric) {
+  return metric.kind() == compare::MetricKind::length;
+}
 
 [[noreturn]] void mismatch(const char* what, const std::vector<Gate>& gates) {
   const Gate& first = gates.front();
   throw InputError(fmt::format(
-      "{} for {} of {}, {}, {}, {}, {}{}", what, first.metric, first.method,
+      "{} for {} of {}, {}, {}, {}, {}{}", what, first.metric.name(), first.method,
       answerName(first.answer), first.light, first.view, first.step,
       gates.size() == 1 ? std::string() : fmt::format(" and {} more", gates.size() - 1)));
 }
@@ -48,38 +52,35 @@ const RefusedMethod* refusedIn(const StudyRecord& record, const std::string& lab
 
 }  // namespace
 
-std::span<const std::string_view> baselineMetrics(Answer answer) {
+std::span<const compare::MetricId> baselineMetrics(Answer answer) {
   constexpr std::size_t errorRates = 3;
-  const std::span<const std::string_view> all = metrics;
+  const std::span<const compare::MetricId> all = committedMetrics;
   return answer == Answer::drawn ? all : all.first(errorRates);
 }
 
-bool isLengthMetric(std::string_view metric) {
-  return contains(compare::lengthMetricNames(), metric);
-}
-
 std::optional<double> spreadOf(const StudyRecord& record, const Case& which,
-                               std::string_view metric) {
+                               compare::MetricId metric) {
   const UncertaintyRecord* found = findUncertainty(record, which);
-  if (isRate(metric)) return found == nullptr ? record.truth.uncertainty : found->flipRate;
+  if (metric.kind() == compare::MetricKind::rate)
+    return found == nullptr ? record.truth.uncertainty : found->flipRate;
   if (found == nullptr) return std::nullopt;
-  if (isLengthMetric(metric)) return found->lengthError;
+  if (isLength(metric)) return found->lengthError;
   const double spread = metricUncertainty(*found, metric);
   return std::isfinite(spread) ? std::optional(spread) : std::nullopt;
 }
 
-double toleranceOf(std::string_view metric, double spread) {
-  return std::max(2 * spread, isLengthMetric(metric) ? leastLengthTolerance : leastRateTolerance);
+double toleranceOf(compare::MetricId metric, double spread) {
+  return std::max(2 * spread, isLength(metric) ? leastLengthTolerance : leastRateTolerance);
 }
 
 Gate referenceGate(Gate row, const Reference& reference) {
   const auto [committed, spread, tolerance] = reference;
   row.region = wholeRegion;
   row.origin = reference;
-  if (row.metric == "prevalence") {
+  if (row.metric == compare::metrics::prevalence) {
     row.minimum = committed - tolerance;
     row.maximum = committed + tolerance;
-  } else if (isLengthMetric(row.metric)) {
+  } else if (isLength(row.metric)) {
     const double distance = std::abs(committed - 1) + tolerance;
     row.minimum = 1 - distance;
     row.maximum = 1 + distance;
@@ -95,7 +96,7 @@ const Reference& referenceOf(const Gate& gate) {
 
 bool canFail(const Gate& reference) {
   // Lengths are over the truth's own: off by 1 is as good as no shadow at all.
-  if (isLengthMetric(reference.metric)) return referenceOf(reference).tolerance < 1;
+  if (isLength(reference.metric)) return referenceOf(reference).tolerance < 1;
   const compare::MetricRange range = compare::metricRange(reference.metric, {});
   return (reference.maximum && *reference.maximum < range.most) ||
          (reference.minimum && *reference.minimum > range.least);
@@ -106,11 +107,11 @@ std::vector<Gate> referenceGates(std::span<const StudyRecord> steps) {
   for (const StudyRecord& step : steps) {
     for (const ResultRecord& row : step.results) {
       if (row.region != wholeRegion) continue;
-      for (const std::string_view metric : baselineMetrics(row.answer)) {
+      for (const compare::MetricId metric : baselineMetrics(row.answer)) {
         const std::optional<double> value = metricOf(row, metric).value;
         const std::optional<double> spread = spreadOf(step, {row.view, row.light}, metric);
         if (!value || !spread) continue;
-        Gate gate{row.method, row.light, row.view, "", std::string(metric), {}, {}};
+        Gate gate{row.method, row.light, row.view, "", metric, {}, {}};
         gate.answer = row.answer;
         gate.step = step.name;
         gate = referenceGate(std::move(gate), {*value, *spread, toleranceOf(metric, *spread)});
@@ -148,17 +149,18 @@ std::vector<NoticeRecord> betterThan(std::span<const Judgement> references) {
   std::vector<NoticeRecord> notices;
   for (const Judgement& judgement : references) {
     const Gate& gate = judgement.gate;
-    if (judgement.verdict != GateVerdict::passed || gate.metric == "prevalence") continue;
+    if (judgement.verdict != GateVerdict::passed || gate.metric == compare::metrics::prevalence)
+      continue;
     const auto [committed, spread, tolerance] = referenceOf(gate);
-    const double gain = isLengthMetric(gate.metric)
+    const double gain = isLength(gate.metric)
                             ? std::abs(committed - 1) - std::abs(*judgement.value - 1)
                             : committed - *judgement.value;
     if (!(gain > tolerance)) continue;
     notices.push_back(
         {fmt::format("the reference of {} for {}, {}, {}, {} could be tightened: {:.5g} "
                      "now, {:.5g} committed, better by more than {:.3g}",
-                     gate.metric, gate.method, gate.light, gate.view, gate.step, *judgement.value,
-                     committed, tolerance)});
+                     gate.metric.name(), gate.method, gate.light, gate.view, gate.step,
+                     *judgement.value, committed, tolerance)});
   }
   return notices;
 }

@@ -46,20 +46,16 @@ struct Baseline {
 /// shadow_length_ratio, which may not move away from 1; and prevalence, which is the truth's own
 /// and may not move at all.
 /// Of the answer of the shadow test alone a baseline holds the first three.
-std::span<const std::string_view> baselineMetrics(Answer answer);
-
-/// Whether a metric is one of lengths (lengthMetrics), at least 0. Of a baseline's metrics all
-/// others are shares, 0 to 1.
-bool isLengthMetric(std::string_view metric);
+std::span<const compare::MetricId> baselineMetrics(Answer answer);
 
 /// The measured spread of any metric in one case; none for a length or boundary whose error was not
 /// measured.
 std::optional<double> spreadOf(const StudyRecord& record, const Case& which,
-                               std::string_view metric);
+                               compare::MetricId metric);
 
 /// The tolerance for a spread: max(2 × spread, least tolerance). Metrics of boundaries have the
 /// least tolerance of rates.
-double toleranceOf(std::string_view metric, double spread);
+double toleranceOf(compare::MetricId metric, double spread);
 
 /// The gate of a committed value: its limits are as far from the value, on the side or sides where
 /// the metric is worse, as the tolerance says. It is of the region "all".

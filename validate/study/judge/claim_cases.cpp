@@ -65,9 +65,9 @@ Estimate together(const ClaimSpec& claim, const StudyRecord& study,
 
 }  // namespace
 
-double uncertaintyIn(const StudyRecord& study, const ResultRecord& row, const std::string& metric) {
+double uncertaintyIn(const StudyRecord& study, const ResultRecord& row, compare::MetricId metric) {
   const UncertaintyRecord* truth = findUncertainty(study, {row.view, row.light});
-  if (!isRate(metric)) {
+  if (metric.kind() != compare::MetricKind::rate) {
     return metricUncertainty(truth == nullptr ? UncertaintyRecord{} : *truth, metric);
   }
   const double flips = truth == nullptr ? study.truth.uncertainty : truth->flipRate;
@@ -147,7 +147,7 @@ ClaimRecord notEvaluated(const ClaimSpec& claim, std::string detail) {
 }
 
 bool hasIntervals(const ClaimSpec& claim) {
-  return claim.metric == "error_rate" && claim.region == wholeRegion &&
+  return claim.metric == compare::metrics::errorRate && claim.region == wholeRegion &&
          claim.answer == Answer::drawn;
 }
 
@@ -161,9 +161,9 @@ std::string regionText(const ClaimSpec& claim) {
   return claim.region == wholeRegion ? "" : fmt::format(" in the region {}", claim.region);
 }
 
-std::string differenceText(const std::string& metric, double difference) {
-  return isRate(metric) ? fmt::format("{:.2f} points", 100 * difference)
-                        : fmt::format("{:.3f}", difference);
+std::string differenceText(compare::MetricId metric, double difference) {
+  return metric.kind() == compare::MetricKind::rate ? fmt::format("{:.2f} points", 100 * difference)
+                                                    : fmt::format("{:.3f}", difference);
 }
 
 double meanValue(const std::vector<ClaimCase>& cases) {

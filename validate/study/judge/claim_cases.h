@@ -31,7 +31,7 @@ ClaimCases casesOf(const ClaimSpec& claim, const StudyRecord& study);
 
 /// How uncertain the truth is in a row's metric: of a rate the share of samples that flip, in a
 /// region as if all of them lay in it; of any other metricUncertainty, which may be infinite.
-double uncertaintyIn(const StudyRecord& study, const ResultRecord& row, const std::string& metric);
+double uncertaintyIn(const StudyRecord& study, const ResultRecord& row, compare::MetricId metric);
 
 /// A figure's bounds, themselves not included.
 struct Bounds {
@@ -64,7 +64,7 @@ std::string intervalNote(const ClaimSpec& claim);
 std::string regionText(const ClaimSpec& claim);
 
 /// A difference as texts show it: rates in points of a hundred, all others as they are.
-std::string differenceText(const std::string& metric, double difference);
+std::string differenceText(compare::MetricId metric, double difference);
 
 /// The mean of the cases' estimates, without their intervals.
 /// @param cases  one or more

@@ -45,13 +45,15 @@ std::string boundsText(const ClaimSpec& claim) {
 std::string detailOf(const ClaimSpec& claim, const ClaimCases& cases, const ClaimSpread& spread) {
   if (claim.method.empty()) {
     return fmt::format("{} of “{}” less than that of “{}”{}: {}; mean difference {}{}",
-                       claim.metric, claim.less, claim.than, regionText(claim), spreadText(spread),
-                       differenceText(claim.metric, meanValue(cases.defined)), intervalNote(claim));
+                       claim.metric.name(), claim.less, claim.than, regionText(claim),
+                       spreadText(spread), differenceText(claim.metric, meanValue(cases.defined)),
+                       intervalNote(claim));
   }
   const std::string left =
       cases.undefined == 0 ? "" : fmt::format(", not defined in {} more", cases.undefined);
-  return fmt::format("{} of “{}”{} {}: {}{}{}", claim.metric, claim.method, regionText(claim),
-                     boundsText(claim), spreadText(spread), left, intervalNote(claim));
+  return fmt::format("{} of “{}”{} {}: {}{}{}", claim.metric.name(), claim.method,
+                     regionText(claim), boundsText(claim), spreadText(spread), left,
+                     intervalNote(claim));
 }
 
 ClaimRecord judge(const ClaimSpec& claim, const StudyRecord& study) {
@@ -60,7 +62,8 @@ ClaimRecord judge(const ClaimSpec& claim, const StudyRecord& study) {
     const std::string methods = claim.method.empty()
                                     ? fmt::format("“{}” and “{}”", claim.less, claim.than)
                                     : fmt::format("“{}”", claim.method);
-    return notEvaluated(claim, fmt::format("{} is not defined for {}", claim.metric, methods));
+    return notEvaluated(claim,
+                        fmt::format("{} is not defined for {}", claim.metric.name(), methods));
   }
   const ClaimSpread spread = spreadOver(claim, study, cases.defined);
   return {claim.text, claim.source, verdictOver(spread), detailOf(claim, cases, spread), spread};

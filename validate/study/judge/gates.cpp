@@ -57,8 +57,9 @@ std::vector<Judgement> judgeThresholds(std::span<const Gate> thresholds,
     }
     if (judgements.size() > before) continue;
     const int line = std::get<Threshold>(gate.origin).line;
-    throw InputError(fmt::format("threshold on {} of \"{}\": no result matches it{}", gate.metric,
-                                 gate.method, line > 0 ? fmt::format(" (line {})", line) : ""));
+    throw InputError(fmt::format("threshold on {} of \"{}\": no result matches it{}",
+                                 gate.metric.name(), gate.method,
+                                 line > 0 ? fmt::format(" (line {})", line) : ""));
   }
   return judgements;
 }

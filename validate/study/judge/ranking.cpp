@@ -1,7 +1,5 @@
 #include "study/judge/ranking.h"
 
-#include <set>
-
 #include "compare/rates.h"
 
 namespace gnomon::study {
@@ -9,7 +7,7 @@ namespace {
 
 using Rows = std::vector<const ResultRecord*>;
 
-Mean meanOver(const Rows& rows, std::string_view metric) {
+Mean meanOver(const Rows& rows, compare::MetricId metric) {
   std::vector<std::optional<double>> defined;
   for (const ResultRecord* row : rows) {
     if (const auto value = compare::rate(row->counts, metric).value) defined.emplace_back(value);
@@ -17,18 +15,14 @@ Mean meanOver(const Rows& rows, std::string_view metric) {
   return {meanOf(defined), defined.size()};
 }
 
-RankedMethod summarise(const StudyRecord& record, const RankedOverStudies& place) {
+RankedMethod summarise(const StudyRecord& record, const StudyMeans& study,
+                       const RankedOverStudies& place) {
   const Rows rows = rankedRows(record, place.label, Answer::drawn);
-  std::set<std::string> views;
-  for (const ResultRecord* row : rows) views.insert(row->view);
   return {place,
-          meanOver(rows, "error_rate"),
-          meanOver(rows, "false_shadow"),
-          meanOver(rows, "false_light"),
-          meanOver(rows, "iou"),
-          meanOver(rows, "ber"),
-          meanInterval(record, place.label, views),
-          meanOver(rankedRows(record, place.label, Answer::test), "error_rate"),
+          *findMeans(study, place.label),
+          meanOver(rows, compare::metrics::iou),
+          meanOver(rows, compare::metrics::ber),
+          meanOver(rankedRows(record, place.label, Answer::test), compare::metrics::errorRate),
           {}};
 }
 
@@ -39,7 +33,7 @@ std::vector<RankedMethod> rankMethods(const StudyRecord& record) {
   const std::vector<RankedOverStudies> places = rankOverStudies({&study, 1});
   std::vector<RankedMethod> ranked;
   for (const RankedOverStudies& place : places) {
-    ranked.push_back(summarise(record, place));
+    ranked.push_back(summarise(record, study, place));
     for (const RankedOverStudies& other : places) {
       const auto difference = differenceIn(study, place.label, other.label);
       if (difference) ranked.back().like.add(other.label, difference->verdict);

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "compare/confidence_interval.h"
 #include "study/judge/study_ranking.h"
 #include "study/record/record.h"
 
@@ -17,17 +16,13 @@ struct Mean {
   std::size_t cases = 0;        ///< how many those are
 };
 
-/// A method in a study: its place in the ranking of this study alone, and means of its drawn
-/// answers over all lights and views, in the region of all samples. A case is one view under one
-/// light.
+/// A method in a study: its place in the ranking of this study alone, and means over all lights and
+/// views, in the region of all samples. A case is one view under one light.
 struct RankedMethod : RankedOverStudies {
-  Mean errorRate, falseShadow, falseLight, iou, ber;
-  /// 95 % for the mean error rate: the mean of the ends of its views' intervals, all lights
-  /// together. Exact for one view; for several as if their errors were fully correlated, so never
-  /// too narrow. None where a view has none.
-  std::optional<compare::Interval> interval;
-  Mean testError;    ///< error rate of the shadow test alone
-  LikeMethods like;  ///< of the study's methods, by differenceOverViews
+  MethodMeans means;  ///< of its drawn answers
+  Mean iou, ber;      ///< likewise
+  Mean testError;     ///< error rate of the shadow test alone
+  LikeMethods like;   ///< of the study's methods, by differenceOverViews
 };
 
 /// The methods in the order of rankOverStudies over this study alone.

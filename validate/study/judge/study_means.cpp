@@ -76,7 +76,7 @@ std::vector<DifferenceRecord> meanDifferences(std::span<const StudyMeans> steps,
 std::vector<std::optional<double>> caseErrors(const StudyRecord& record, const std::string& label) {
   std::vector<std::optional<double>> errors;
   for (const Case& which : comparedCases(record)) {
-    errors.push_back(rateOf(record, label, which, Answer::drawn, "error_rate"));
+    errors.push_back(rateOf(record, label, which, Answer::drawn, compare::metrics::errorRate));
   }
   return errors;
 }
@@ -94,7 +94,7 @@ std::optional<double> meanUncertainty(const StudyRecord& record,
 
 MethodMeans meansOf(const StudyRecord& record, const std::string& label) {
   const std::vector<const ResultRecord*> rows = rankedRows(record, label, Answer::drawn);
-  const auto mean = [&](std::string_view metric) {
+  const auto mean = [&](compare::MetricId metric) {
     std::vector<std::optional<double>> values;
     values.reserve(rows.size());
     for (const ResultRecord* row : rows) values.push_back(compare::rate(row->counts, metric).value);
@@ -105,9 +105,9 @@ MethodMeans meansOf(const StudyRecord& record, const std::string& label) {
   const MethodRecord method = methodOf(record, label);
   return {label,
           method.name,
-          mean("error_rate"),
-          mean("false_shadow"),
-          mean("false_light"),
+          mean(compare::metrics::errorRate),
+          mean(compare::metrics::falseShadow),
+          mean(compare::metrics::falseLight),
           meanUncertainty(record, rows),
           caseErrors(record, label),
           meanInterval(record, label, views),
@@ -216,7 +216,7 @@ std::vector<const ResultRecord*> rankedRows(const StudyRecord& record, std::stri
                                             Answer answer) {
   std::vector<const ResultRecord*> rows;
   for (const Case& which : comparedCases(record)) {
-    if (!rateOf(record, method, which, Answer::drawn, "error_rate")) continue;
+    if (!rateOf(record, method, which, Answer::drawn, compare::metrics::errorRate)) continue;
     if (const auto* row = findResult(record, method, which, wholeRegion, answer)) {
       rows.push_back(row);
     }

@@ -25,7 +25,9 @@ struct MethodMeans {
   /// Error rate in each case of the study in which some method has one; of a sweep in those of its
   /// first value, then of its second, and so on.
   std::vector<std::optional<double>> caseErrors = {};
-  /// 95 % of `errorRate` in a study, see RankedMethod; none for a sweep's mean.
+  /// 95 % of `errorRate` in a study: the mean of the ends of its views' intervals, all lights
+  /// together. Exact for one view; for several as if their errors were fully correlated, so never
+  /// too narrow. None where a view has none, and for a sweep's mean.
   std::optional<compare::Interval> interval = std::nullopt;
   render::MethodMark mark = {};
 

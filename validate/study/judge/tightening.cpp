@@ -46,8 +46,8 @@ bool isLoose(double limit, double room, double tolerance) {
 NoticeRecord notice(const Gate& gate, const char* side, double limit, double value) {
   return {fmt::format("the limit on {} of {} could be tightened: {} {} allowed, {:.5g} the nearest "
                       "value",
-                      gate.metric, gate.method.empty() ? "all methods" : gate.method, side, limit,
-                      value),
+                      gate.metric.name(), gate.method.empty() ? "all methods" : gate.method, side,
+                      limit, value),
           std::get<Threshold>(gate.origin).line};
 }
 

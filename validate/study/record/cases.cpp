@@ -38,7 +38,7 @@ std::vector<Case> comparedCases(const StudyRecord& record) {
   const std::vector<std::string> labels = methodsOf(record);
   std::erase_if(cases, [&](const Case& which) {
     return std::none_of(labels.begin(), labels.end(), [&](const std::string& label) {
-      return rateOf(record, label, which, Answer::drawn, "error_rate");
+      return rateOf(record, label, which, Answer::drawn, compare::metrics::errorRate);
     });
   });
   return cases;
@@ -61,7 +61,7 @@ const ResultRecord* findResult(const StudyRecord& record, std::string_view metho
 }
 
 std::optional<double> rateOf(const StudyRecord& record, std::string_view method, const Case& which,
-                             Answer answer, std::string_view metric) {
+                             Answer answer, compare::MetricId metric) {
   const ResultRecord* row = findResult(record, method, which, wholeRegion, answer);
   return row == nullptr ? std::nullopt : compare::rate(row->counts, metric).value;
 }

@@ -38,7 +38,7 @@ const ResultRecord* findResult(const StudyRecord& record, std::string_view metho
 
 /// A rate of one method's answer over all samples, undefined where there is no such row.
 std::optional<double> rateOf(const StudyRecord& record, std::string_view method, const Case& which,
-                             Answer answer, std::string_view metric);
+                             Answer answer, compare::MetricId metric);
 
 /// The measured uncertainty of the truth in a case, or nullptr.
 const UncertaintyRecord* findUncertainty(const StudyRecord& record, const Case& which);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "compare/metric.h"
 #include "study/record/answer.h"
 
 namespace gnomon::study {
@@ -40,7 +41,8 @@ struct CompareOption {
 /// A limit on one metric of one answer of a method. In a threshold, an empty method, light or view
 /// stands for all of them.
 struct Gate {
-  std::string method, light, view, region, metric;
+  std::string method, light, view, region;
+  compare::MetricId metric = compare::metrics::errorRate;
   std::optional<double> minimum, maximum;  ///< both included
   std::variant<Threshold, Reference, CompareOption> origin = {};
   Answer answer = Answer::drawn;

@@ -15,24 +15,15 @@ namespace gnomon::study {
 /// @throws InternalError as `rates`
 std::vector<compare::Metric> metricsOf(const ResultRecord& result);
 
-/// One of them by name.
-/// @throws InternalError for a name that `metricNames` does not have
-compare::Metric metricOf(const ResultRecord& result, std::string_view name);
+/// One of them.
+compare::Metric metricOf(const ResultRecord& result, compare::MetricId id);
 
-/// The names of all metrics, in their order: those under every light, then those of shares.
-const std::vector<std::string_view>& metricNames();
-/// The names of those under every light.
-const std::vector<std::string_view>& pointLightMetricNames();
-
-/// Whether a metric is one of `rates`. Its uncertainty is the share of samples that flip.
-bool isRate(std::string_view name);
-
-/// The truth's uncertainty in any other metric: how far the coarser truth's figure is from that of
-/// a perfect mask. For lengths this is `lengthError`; a perfect mask has distance 0 between
-/// boundaries, and 1 as boundary IoU and surface Dice; share metrics as perfectShareMetric.
-/// Infinite where the coarser truth has no boundary to compare, so that nothing can be told apart;
-/// 0 where its lengths could not be measured.
-/// @throws InternalError for a rate or an unknown name
-double metricUncertainty(const UncertaintyRecord& truth, std::string_view name);
+/// The truth's uncertainty in a metric that is no rate (there it is the share of samples that
+/// flip): how far the coarser truth's figure is from that of a perfect mask. For lengths this is
+/// `lengthError`; a perfect mask has distance 0 between boundaries, and 1 as boundary IoU and
+/// surface Dice (MetricId::perfect). Infinite where the coarser truth has no boundary to compare,
+/// so that nothing can be told apart; 0 where its lengths could not be measured.
+/// @throws InternalError for a rate
+double metricUncertainty(const UncertaintyRecord& truth, compare::MetricId id);
 
 }  // namespace gnomon::study

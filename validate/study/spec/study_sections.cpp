@@ -7,7 +7,6 @@
 
 #include "render/shader_files.h"
 #include "study/record/cases.h"
-#include "study/record/result_metrics.h"
 #include "study/spec/study_file.h"
 #include "study/spec/sweep/sweep.h"
 #include "truth/region.h"
@@ -103,10 +102,6 @@ std::vector<std::string> judgedRegions(const std::vector<std::string>& partNames
   std::vector<std::string> names = {std::string(wholeRegion)};
   for (std::string& name : truth::allRegions(partNames)) names.push_back(std::move(name));
   return names;
-}
-
-std::vector<std::string> judgedMetrics() {
-  return {metricNames().begin(), metricNames().end()};
 }
 
 std::string studyKeysText() {

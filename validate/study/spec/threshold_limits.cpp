@@ -24,7 +24,7 @@ compare::PictureExtent largestExtent(const StudySpec& study, const std::string& 
 
 /// Whether a metric has the same value in a region whatever a method answers: the truth lights all
 /// of its samples, or shadows all.
-bool isSettledIn(std::string_view region, std::string_view metric,
+bool isSettledIn(std::string_view region, compare::MetricId metric,
                  const std::vector<std::string>& partNames) {
   if (region == truth::regionName(truth::Region::lit)) return compare::isSettledByLight(metric);
   const bool isDark = std::any_of(
@@ -64,7 +64,7 @@ void readLimits(const TomlReader& section, const StudySpec& study, Gate& thresho
     section.fail("region",
                  fmt::format("\"{}\" found, but there the region alone decides {}, whatever a "
                              "method answers",
-                             threshold.region, threshold.metric));
+                             threshold.region, threshold.metric.name()));
   }
   const auto require = [&](const char* key, std::optional<double> limit) {
     if (!limit) return;

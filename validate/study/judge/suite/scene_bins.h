@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/scenes/binned_error.h"
+#include "compare/scenes/resampled_mean.h"
 #include "study/record/record.h"
 
 namespace gnomon::study {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/lists.h"
-#include "compare/scenes/kendall.h"
+#include "compare/scenes/comparisons.h"
 
 namespace gnomon::study {
 namespace {

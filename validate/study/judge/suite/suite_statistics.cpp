@@ -11,7 +11,7 @@
 #include "common/lists.h"
 #include "common/parallel.h"
 #include "common/quantile.h"
-#include "compare/scenes/holm.h"
+#include "compare/scenes/comparisons.h"
 #include "compare/scenes/resampled_mean.h"
 #include "study/judge/distinguish.h"
 

@@ -6,11 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "compare/scenes/binned_error.h"
-#include "compare/scenes/rank_stability.h"
-#include "compare/scenes/scene_spread.h"
+#include "compare/scenes/resampled_mean.h"
+#include "compare/scenes/comparisons.h"
 #include "compare/scenes/scene_table.h"
-#include "compare/scenes/win_share.h"
 #include "study/judge/study_means.h"
 
 namespace gnomon::study {

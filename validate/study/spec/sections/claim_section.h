@@ -9,7 +9,7 @@ namespace gnomon::study {
 struct ClaimSpec {
   std::string text, source;
   std::string less, than;  ///< method labels; empty in the second form
-  std::string metric = "error_rate";
+  compare::MetricId metric = compare::metrics::errorRate;
   std::string region = "all";
   std::string method = {};  ///< label; empty in the first form
   std::optional<double> above = std::nullopt, below = std::nullopt;

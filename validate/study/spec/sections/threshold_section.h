@@ -15,8 +15,6 @@ namespace gnomon::study {
 /// and claims may speak of.
 /// @param partNames  of the surface
 std::vector<std::string> judgedRegions(const std::vector<std::string>& partNames);
-/// The names of the metrics that they may speak of.
-std::vector<std::string> judgedMetrics();
 
 /// The names in a study that its gates and claims may speak of.
 struct StudyNames {
@@ -28,7 +26,6 @@ struct StudyNames {
 inline Gate newThreshold(int line = 0, const toml::table& written = {}) {
   Gate gate;
   gate.region = "all";
-  gate.metric = "error_rate";
   gate.origin = Threshold{line, true, written};
   return gate;
 }
@@ -38,8 +35,10 @@ template <typename Judged>
 StudyKeys judgedKeys(Judged& judged, const StudyNames& names) {
   const std::vector<std::pair<Answer, std::string>> answers = {{Answer::drawn, "drawn"},
                                                                {Answer::test, "test"}};
-  return {studyKey("metric", &judged.metric, "that is judged", {}, {}, Enters::nothing,
-                   judgedMetrics()),
+  std::vector<std::pair<compare::MetricId, std::string>> metrics;
+  for (const compare::MetricId id : compare::allMetrics()) metrics.emplace_back(id, id.name());
+  return {studyKey("metric", chosenName(judged.metric, metrics), "that is judged", {}, {},
+                   Enters::nothing),
           studyKey("region", &judged.region, "where samples count", {}, {}, Enters::nothing,
                    names.regions),
           studyKey("answer", chosenName(judged.answer, answers),
