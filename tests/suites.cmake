@@ -1,6 +1,6 @@
 # Writes the CTest file of a GoogleTest program, one test a suite:
-#   cmake -D PROGRAM=file -D NAME=component -D FIRST=suites -D PROPERTIES=list -D OUTPUT=file
-#         -P suites.cmake
+#   cmake -D PROGRAM=file -D NAME=component -D FIRST=suites -D SLOW=suites -D PROPERTIES=list
+#         -D OUTPUT=file -P suites.cmake
 # A test of its own for every case would start the programs some thousand times, and what they link
 # takes longer to load than most cases.
 cmake_minimum_required(VERSION 3.25)
@@ -20,12 +20,16 @@ foreach(head IN LISTS heads)
     list(APPEND properties COST 1000)
     list(REMOVE_ITEM FIRST ${suite})
   endif()
+  if(suite IN_LIST SLOW)
+    list(APPEND properties LABELS slow)
+    list(REMOVE_ITEM SLOW ${suite})
+  endif()
   if(properties)
     list(JOIN properties " " properties)
     string(APPEND script "set_tests_properties(\"${NAME}.${suite}\" PROPERTIES ${properties})\n")
   endif()
 endforeach()
-if(FIRST)
-  message(FATAL_ERROR "${PROGRAM}: no suite ${FIRST}")
+if(FIRST OR SLOW)
+  message(FATAL_ERROR "${PROGRAM}: no suite ${FIRST} ${SLOW}")
 endif()
 file(WRITE ${OUTPUT} "${script}")

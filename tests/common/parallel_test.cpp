@@ -1,13 +1,18 @@
-#include "common/parallel.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
+#include <stdexcept>
+#include <string>
+#include <thread>
 #include <vector>
 
+#include "common/alongside.h"
 #include "common/cancellation.h"
 #include "common/error.h"
+#include "common/parallel.h"
+#include "common/time_left.h"
+#include "common/work_beside.h"
 
 namespace gnomon {
 namespace {
@@ -69,6 +74,88 @@ TEST(Cancellation, IsAWishAndNoMore) {
     throw InputError("of another");
   }),
                InputError);
+}
+
+TEST(WorkBeside, GoesOnWhileItsOwnerGoesOn) {
+  WorkBeside beside;
+  std::promise<void> allowed;
+  std::atomic<bool> isDone = false;
+  beside.start([&] {
+    allowed.get_future().wait();
+    isDone = true;
+  });
+  EXPECT_FALSE(isDone);
+  allowed.set_value();
+  beside.wait();
+  EXPECT_TRUE(isDone);
+}
+
+TEST(WorkBeside, IsOnePieceAfterTheOther) {
+  WorkBeside beside;
+  std::string order;
+  for (const char letter : std::string("abcdefgh"))
+    beside.start([&order, letter] { order += letter; });
+  beside.finish();
+  EXPECT_EQ(order, "abcdefgh");
+}
+
+TEST(WorkBeside, ThrowsWhatAPieceThrew) {
+  WorkBeside beside;
+  const auto fails = [] { throw std::runtime_error("full"); };
+  beside.start(fails);
+  beside.wait();
+  EXPECT_THROW(beside.start([] { FAIL() << "a later piece"; }), std::runtime_error);
+  beside.start(fails);
+  EXPECT_THROW(beside.finish(), std::runtime_error);
+  beside.finish();  // thrown once
+}
+
+TEST(WorkBeside, EndsBeforeItsOwner) {
+  std::atomic<bool> isDone = false;
+  {
+    WorkBeside beside;
+    beside.start([&] { isDone = true; });
+  }
+  EXPECT_TRUE(isDone);
+}
+
+TEST(Alongside, CallsBothTheFirstOnThisThread) {
+  for (int i = 0; i < 100; ++i) {
+    std::thread::id where;
+    std::atomic<int> calls = 0;
+    alongside([&] { where = std::this_thread::get_id(); }, [&] { ++calls; });
+    EXPECT_EQ(where, std::this_thread::get_id());
+    ASSERT_EQ(calls, 1);
+  }
+}
+
+TEST(Alongside, HandsAnErrorOfEitherToItsCaller) {
+  const auto nothing = [] {};
+  const auto fail = [] { throw InputError("one of two"); };
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_THROW(alongside(fail, nothing), InputError);
+    EXPECT_THROW(alongside(nothing, fail), InputError);
+    EXPECT_THROW(alongside(fail, fail), InputError);
+  }
+}
+
+TEST(TimeLeft, IsThatOfTheCasesThatAreLeft) {
+  // Ten seconds a case: of five two are done, the third has taken four.
+  EXPECT_DOUBLE_EQ(secondsLeft(2, 5, 20, 4), 26);
+  EXPECT_DOUBLE_EQ(secondsLeft(4, 5, 40, 0), 10);
+  // A case that takes longer than the others did has nothing left that anyone knows of.
+  EXPECT_DOUBLE_EQ(secondsLeft(2, 5, 20, 15), 20);
+  EXPECT_DOUBLE_EQ(secondsLeft(4, 5, 40, 99), 0);
+}
+
+TEST(TimeLeft, ReadsInOneUnit) {
+  EXPECT_EQ(durationText(0.3), "0 s");
+  EXPECT_EQ(durationText(99), "99 s");
+  EXPECT_EQ(durationText(99.6), "2 min");
+  EXPECT_EQ(durationText(3000), "50 min");
+  EXPECT_EQ(durationText(5969), "99 min");
+  EXPECT_EQ(durationText(5971), "1.7 h");
+  EXPECT_EQ(durationText(86400), "24.0 h");
 }
 
 }  // namespace

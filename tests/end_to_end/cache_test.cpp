@@ -111,13 +111,6 @@ TEST_F(CachedRuns, AfterAnEditOneMethodIsComputed) {
   EXPECT_NE(read("first/small/metrics.csv"), read("third/small/metrics.csv"));
 }
 
-TEST_F(CachedRuns, AMistakeInAMethodIsFoundAsWithoutACache) {
-  expectRun("first");
-  write("mine.glsl", "int nothing;\n");
-  write("small.toml", read("small.toml") + "\n[[method]]\nfile = \"mine.glsl\"\n");
-  EXPECT_EQ(run("second").status, 3);
-}
-
 TEST_F(CachedRuns, DamagedEntriesAreComputedAgain) {
   expectRun("first");
   const std::size_t count = entries().size();
@@ -141,32 +134,6 @@ TEST_F(CachedRuns, DamagedEntriesAreComputedAgain) {
   expectSame("first", "third");
 }
 
-TEST_F(CachedRuns, TwoAtOnceDoNotDisturbEachOther) {
-  // Each with its own folder, since both write what they print there.
-  for (const char* name : {"a", "b"}) {
-    fs::create_directories(file(name));
-    fs::copy(file("small.toml"), file(name) / "small.toml");
-  }
-  std::vector<Outcome> outcomes(2);
-  std::vector<std::thread> processes;
-  for (std::size_t i = 0; i < 2; ++i) {
-    processes.emplace_back([this, i, &outcomes] {
-      outcomes[i] = runProgram(file(i == 0 ? "a" : "b"), {"run", "small.toml"},
-                               {"GNOMON_CACHE=" + cache().string()});
-    });
-  }
-  for (std::thread& process : processes) process.join();
-  for (const Outcome& outcome : outcomes) {
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.err, "");
-  }
-  expectRun("after");
-  EXPECT_EQ(counts("after").at("misses"), 0);
-  EXPECT_EQ(counts("after").at("damaged"), 0);
-  expectSame("a/out", "b/out");
-  expectSame("a/out", "after");
-}
-
 TEST_F(CachedRuns, TheBoundHolds) {
   const std::vector<std::string> environment = {"GNOMON_CACHE=" + cache().string()};
   ASSERT_EQ(gnomon({"cache", "--limit", "150kB"}, environment).status, 0);
@@ -182,16 +149,6 @@ TEST_F(CachedRuns, TheBoundHolds) {
   EXPECT_TRUE(entries().empty());
   EXPECT_THAT(gnomon({"cache"}, environment).out, HasSubstr("of at most 150 kB"));
   EXPECT_EQ(gnomon({"cache", "--limit", "much"}, environment).status, 2);
-}
-
-TEST_F(CachedRuns, WithoutAFolderToWriteARunGoesOn) {
-  write("kept", "a file where the folder should be");
-  const Outcome outcome = run("first");
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.err, HasSubstr("gnomon: warning: the cache keeps nothing more"));
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  expectRun("fresh", {"--no-cache"});
-  expectSame("fresh", "first");
 }
 
 TEST_F(CachedRuns, AKilledSweepGoesOnWhereItWas) {
@@ -219,23 +176,15 @@ TEST_F(CachedRuns, AKilledSweepGoesOnWhereItWas) {
 
 TEST_F(CachedRuns, SingleStepsShareThem) {
   const std::vector<std::string> environment = {"GNOMON_CACHE=" + cache().string()};
-  for (const char* command : {"bake", "truth", "export"}) {
-    for (const char* out : {"first", "second"}) {
-      const Outcome outcome =
-          gnomon({command, "small.toml", "--out", std::string(command) + out}, environment);
+  for (const std::string command : {"bake", "truth", "export"}) {
+    for (const std::string out : {"first", "second"}) {
+      const Outcome outcome = gnomon({command, "small.toml", "--out", command + out}, environment);
       ASSERT_EQ(outcome.status, 0) << outcome.err;
     }
-    const Outcome outcome =
-        gnomon({command, "small.toml", "--no-cache", "--out", std::string(command) + "fresh"},
-               environment);
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
-    for (const std::string& name : filesBelow(std::string(command) + "fresh")) {
+    for (const std::string& name : filesBelow(command + "first")) {
       if (name.ends_with(".json")) continue;  // holds the command
-      for (const char* out : {"first", "second"}) {
-        EXPECT_TRUE(read(std::string(command) + "fresh/" + name) ==
-                    read(std::string(command) + out + "/" + name))
-            << command << " " << name;
-      }
+      EXPECT_TRUE(read(command + "first/" + name) == read(command + "second/" + name))
+          << command << " " << name;
     }
   }
 }

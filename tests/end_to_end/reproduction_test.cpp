@@ -1,12 +1,20 @@
 #include <fmt/core.h>
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
 
+#include "end_to_end/support/lasting_files.h"
 #include "end_to_end/support/program.h"
+#include "model/saved_study.h"
+#include "study/spec/study_file.h"
 
 // What a run leaves is enough to make it again.
+// A saved state of the viewer, run: the same figures and masks as the study run with the state's
+// settings.
 
 namespace gnomon::test {
 namespace {
@@ -77,14 +85,6 @@ TEST_F(Reproduction, OptionsAreInTheCopy) {
   expectSame("out/small", "again/small");
 }
 
-TEST_F(Reproduction, WithoutAStepTheTruthIsTheSame) {
-  runStudy("small", replaced(study(), "step = 0.25", ""), {"--quick"});
-  runAgain("out/small/small.toml", "again");
-  expectSame("out/small", "again/small");
-  EXPECT_EQ(summary("small").at("truth").at("micro_triangles"),
-            summary("small", "again").at("truth").at("micro_triangles"));
-}
-
 TEST_F(Reproduction, EveryValueOfASweepHasItsCommand) {
   runStudy("small", study() + "\n[sweep]\nkey = \"relief.height\"\nvalues = [1, 6.5]\n",
            {"--method", "max-forsyth"});
@@ -135,15 +135,96 @@ TEST_F(Reproduction, TheSummaryNamesEverySettingAndInput) {
   EXPECT_EQ(found, 2U);
 }
 
-TEST_F(Reproduction, AFileOfSomebodyElseStays) {
-  fs::create_directories(file("out/small"));
-  write("out/small/small.toml", study());
-  write("small.toml", study());
-  const Outcome outcome = gnomon({"run", "small.toml"});
-  EXPECT_EQ(outcome.status, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("gnomon: out/small/small.toml: a file found that no run"));
-  EXPECT_EQ(read("out/small/small.toml"), study());
-  EXPECT_EQ(filesBelow("out").size(), 1U);
+class Repetition : public EndToEnd {
+ protected:
+  /// On a sphere, where most axes have several bins and so a plot; two views, so that both kinds
+  /// are compared, and both lights of a sweep.
+  [[nodiscard]] static std::string study() {
+    std::string text = replaced(onSphere(smallStudy()), "elevation = 30", "elevation = [50, 20]");
+    return replaced(text, "name = \"evening\"\n", "") +
+           "\n[[method]]\nname = \"onoue-2004\"\n\n[[view]]\ntype = \"atlas\"\nsamples = 17\n";
+  }
+  /// The files that must not depend on the run: all but those that tell times.
+  [[nodiscard]] std::vector<std::string> lastingFiles(const std::string& out) const {
+    std::vector<std::string> files = filesBelow(out);
+    std::erase_if(files, [](const std::string& name) {
+      return name == "small/summary.json" || name == "small/report.html" ||
+             name == "small/table.csv" || name == "small/table.md";
+    });
+    return files;
+  }
+};
+
+/// The list of docs/summary.md, "What may differ between two runs": all else is the same.
+TEST_F(Repetition, TheWholeFolderIsTheSameButForWhatTheManualLists) {
+  write("small.toml", study() + "\n[[threshold]]\nmax = 0.9\n");
+  const auto run = [&](const std::string& out, std::vector<std::string> options, const char* zone) {
+    options.insert(options.begin(), {"run", "small.toml", "--figures", "page", "--out", out});
+    const Outcome outcome =
+        gnomon(options, {"GNOMON_CACHE=" + file("kept").string(), std::string("TZ=") + zone});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  };
+  run("none", {"--no-cache"}, "UTC");
+  run("empty", {"--threads", "1"}, "Asia/Kolkata");
+  run("filled", {"--threads", "3"}, "America/St_Johns");
+  const std::vector<std::string> files = filesBelow("none");
+  EXPECT_GT(files.size(), 40U);
+  for (const char* other : {"empty", "filled"}) {
+    EXPECT_EQ(files, filesBelow(other));
+    for (const std::string& name : files) {
+      const bool same = lasting(name, read("none/" + name)) ==
+                        lasting(name, read(std::string(other) + "/" + name));
+      EXPECT_TRUE(same) << other << ": " << name;
+    }
+  }
+}
+
+TEST_F(Repetition, BesideOtherStudiesAStudyIsTheSame) {
+  runStudy("small", study(), {"--out", "alone"});
+  write("other.toml",
+        replaced(replaced(study(), "\"small\"", "\"other\""), "radius = 4", "radius = 6"));
+  const Outcome outcome = gnomon({"run", "other.toml", "small.toml", "--out", "both"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const std::string& name : lastingFiles("alone")) {
+    const bool same = read("alone/" + name) == read("both/" + name);
+    EXPECT_TRUE(same) << name;
+  }
+  EXPECT_NE(read("both/other/metrics.csv"), read("both/small/metrics.csv"));
+}
+
+/// Makes the C library choose the mathematical functions of a processor without AVX2 and FMA, whose
+/// results differ in the last bit.
+constexpr const char* plainProcessor = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4";
+
+class Processors : public EndToEnd {
+ protected:
+  /// What another program computes with the C library's functions.
+  [[nodiscard]] std::string sinesWith(const char* variable) const {
+    const std::string sines =
+        "BEGIN { for (i = 1; i < 200000; ++i) s += sin(i / 7) * exp(-i / 1e5); printf \"%.17g\", s "
+        "}";
+    const int process =
+        startCommand(folder(), {"awk", sines}, {variable}, file("sines"), "/dev/null");
+    EXPECT_EQ(endOf(process), 0);
+    return read("sines");
+  }
+};
+
+/// The one kind of result that processors share (cache.md) is the same with either. The vectors of
+/// the search itself are those of tests/horizon/horizon_targets_test.
+TEST_F(Processors, BakeTheSameTables) {
+  if (sinesWith("NOTHING=1") == sinesWith(plainProcessor)) {
+    GTEST_SKIP() << "this machine's C library has one form of its functions";
+  }
+  const std::string scenes = GNOMON_SCENES;
+  for (const char* scene : {"figure8", "dunes", "spot-cells"}) {
+    const std::string study = scenes + "/" + scene + ".toml";
+    ASSERT_EQ(gnomon({"bake", study, "--out", "usual"}).status, 0);
+    ASSERT_EQ(gnomon({"bake", study, "--out", "plain"}, {plainProcessor}).status, 0);
+    const std::string tables = std::string("/") + scene + "/tables.exr";
+    EXPECT_GT(read("usual" + tables).size(), 1000U);
+    EXPECT_TRUE(read("usual" + tables) == read("plain" + tables)) << scene;
+  }
 }
 
 }  // namespace

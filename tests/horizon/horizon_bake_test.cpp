@@ -1,26 +1,32 @@
-#include "horizon/horizon_bake.h"
-
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <random>
+#include <set>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "common/error.h"
 #include "common/system/memory.h"
+#include "horizon/horizon_bake.h"
 #include "horizon/horizon_truth.h"
 #include "horizon/kernel/azimuth_plan.h"
+#include "horizon/kernel/tile_kernel.h"
 #include "horizon/kernel/tile_scratch.h"
 #include "support/error_messages.h"
 
 namespace gnomon::horizon {
 namespace {
+
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -196,44 +202,6 @@ TEST(HorizonBake, AStepIsSeenFromItsEdge) {
   }
 }
 
-TEST(HorizonBake, AStepBeyondTheRadiusIsNotSeen) {
-  const relief::HeightField step =
-      sampled(64, 1, relief::Wrap::clamp, [](int x, int) { return x < 40 ? 0.0 : 3.0; });
-  const HorizonTables tables = bakeHorizons(step, {1, 10});
-  EXPECT_EQ(horizonAt(tables, 0, 28, 0), 0);
-  EXPECT_FLOAT_EQ(horizonAt(tables, 0, 30, 0), 0.3F) << "at the radius itself";
-  // The wall is one texel wide: half a texel before its edge it is half as high.
-  const HorizonTables half = bakeHorizons(step, {1, 10.5});
-  EXPECT_FLOAT_EQ(horizonAt(half, 0, 29, 0), static_cast<float>(1.5 / 10.5));
-  EXPECT_FLOAT_EQ(distanceAt(half, 0, 29, 0), 10.5F);
-}
-
-TEST(HorizonBake, AWedgeIsSeenUpToTheRadiusThenFromItsRidge) {
-  // Ground 0 up to x = 10, then a ramp of slope 1/2 to a ridge of height 8 at x = 26, then down.
-  const relief::HeightField roof = sampled(96, 4, relief::Wrap::clamp, [](int x, int) {
-    return std::max(0.0, std::min(x - 10, 42 - x) * 0.5);
-  });
-  const HorizonTables ridge = bakeHorizons(roof, {8, 64});
-  const HorizonTables ramp = bakeHorizons(roof, {8, 16});
-  for (const int m : {0, 1, 7}) {
-    const double c = m == 0 ? 1 : std::sqrt(0.5);
-    for (int x = 2; x < 10; ++x) {
-      EXPECT_NEAR(horizonAt(ridge, m, x, 1), 8 * c / (26 - x), 8e-6);
-      EXPECT_NEAR(distanceAt(ridge, m, x, 1), (26 - x) / c, 1e-4);
-      // The ray ends on the ramp: the slope still grows there.
-      const double height = std::max(0.0, (x + 16 * c - 10) * 0.5);
-      EXPECT_NEAR(horizonAt(ramp, m, x, 1), height / 16, 8e-6);
-      if (height > 0.1) {
-        EXPECT_FLOAT_EQ(distanceAt(ramp, m, x, 1), 16);
-      }
-    }
-    for (int x = 10; x < 26; ++x) {
-      EXPECT_NEAR(horizonAt(ridge, m, x, 1), 0.5 * c, 8e-6);
-      EXPECT_EQ(distanceAt(ridge, m, x, 1), 0) << "on the ramp, attached";
-    }
-  }
-}
-
 TEST(HorizonBake, AConeIsSeenFromItsApex) {
   // Apex 6 high at texel (32, 32), slope 1: foot at 6 texels.
   const relief::HeightField cone = sampled(64, 64, relief::Wrap::clamp, [](int x, int y) {
@@ -254,21 +222,6 @@ TEST(HorizonBake, AConeIsSeenFromItsApex) {
     EXPECT_FLOAT_EQ(horizonAt(tables, 0, 32 - k, 32), 1);
     EXPECT_EQ(distanceAt(tables, 0, 32 - k, 32), 0) << "all of its slope ties: attached";
   }
-}
-
-TEST(HorizonBake, ASaddleIsSeenFromInsideItsCell) {
-  // Texels (3, 2) and (2, 3) are 1, all others 0. Along the diagonal from texel (0, 0) the cell
-  // between them has height 2 t (1 - t) at distance √2 (2 + t): most at t = √6 - 2.
-  const relief::HeightField saddle = sampled(12, 12, relief::Wrap::clamp, [](int x, int y) {
-    return (x == 3 && y == 2) || (x == 2 && y == 3) ? 1.0 : 0.0;
-  });
-  const HorizonTables tables = bakeHorizons(saddle, {8, 8});
-  const double t = std::sqrt(6.0) - 2;
-  EXPECT_NEAR(horizonAt(tables, 1, 0, 0), 2 * t * (1 - t) / std::sqrt(12.0), 1e-6);
-  EXPECT_NEAR(distanceAt(tables, 1, 0, 0), std::sqrt(12.0), 1e-5);
-  // A radius that ends inside that cell, before and after the peak.
-  EXPECT_NEAR(distanceAt(bakeHorizons(saddle, {8, 3.3}), 1, 0, 0), 3.3, 1e-5);
-  EXPECT_NEAR(distanceAt(bakeHorizons(saddle, {8, 3.6}), 1, 0, 0), std::sqrt(12.0), 1e-5);
 }
 
 // --- identities ---------------------------------------------------------------------------------
@@ -416,6 +369,61 @@ TEST(HorizonBake, ExtremeHeightsStayFinite) {
   const relief::HeightField fair =
       sampled(9, 9, relief::Wrap::repeat, [](int x, int) { return x * 1e30; });
   for (const float slope : bakeHorizons(fair, {8, 5}).horizon) EXPECT_TRUE(std::isfinite(slope));
+}
+
+/// While it lives, what is dispatched runs on one instruction set.
+class OnTarget {
+ public:
+  explicit OnTarget(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
+  ~OnTarget() { hwy::SetSupportedTargetsForTest(0); }
+  OnTarget(const OnTarget&) = delete;
+  OnTarget& operator=(const OnTarget&) = delete;
+};
+
+/// The instruction sets that this processor has and the baker is compiled for.
+std::vector<std::int64_t> targets() {
+  std::vector<std::int64_t> found;
+  std::set<std::string> names;
+  const std::int64_t supported = hwy::SupportedTargets();
+  for (std::int64_t bit = 1; bit > 0 && bit <= HWY_EMU128; bit <<= 1) {
+    if ((supported & bit) == 0) continue;
+    const OnTarget on(bit);
+    const std::string name = bakeInstructionSet();
+    if (name == hwy::TargetName(bit) && names.insert(name).second) found.push_back(bit);
+  }
+  return found;
+}
+
+TEST(HorizonTargets, AreSeveralWhereTheProcessorHasWideVectors) {
+#if defined(__x86_64__)
+  if ((hwy::SupportedTargets() & HWY_AVX2) == 0) GTEST_SKIP() << "no AVX2";
+  EXPECT_GE(targets().size(), 3U);
+#endif
+}
+
+TEST(HorizonTargets, AreEachExact) {
+  for (const std::int64_t target : targets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    const OnTarget on(target);
+    for (const relief::Wrap wrap : {relief::Wrap::repeat, relief::Wrap::clamp}) {
+      expectExact(noise(19, 14, wrap), {7, 12.34});
+      expectExact(coarseNoise(13, 17, wrap, 4), {8, 9.5});
+    }
+    expectExact(noise(5, 6, relief::Wrap::repeat), {5, 80.2});
+  }
+}
+
+TEST(HorizonTargets, AgreeToTheBit) {
+  for (const relief::Wrap wrap : {relief::Wrap::repeat, relief::Wrap::clamp}) {
+    const relief::HeightField field = noise(150, 90, wrap, 6);
+    const HorizonTables widest = bakeHorizons(field, {12, 200.5});
+    for (const std::int64_t target : targets()) {
+      const OnTarget on(target);
+      const HorizonTables tables = bakeHorizons(field, {12, 200.5});
+      EXPECT_EQ(tables.horizon, widest.horizon) << hwy::TargetName(target);
+      EXPECT_EQ(tables.distance, widest.distance) << hwy::TargetName(target);
+    }
+  }
 }
 
 }  // namespace

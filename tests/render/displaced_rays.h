@@ -170,6 +170,6 @@ inline surface::Cage arch(int columns, int rows) {
 }
 
 /// Above the middle, looking down.
-inline const Camera above = cameraAt({0, 0, 100}, {0, 0, 0}, 30, 96);
+inline const Camera fromAbove = cameraAt({0, 0, 100}, {0, 0, 0}, 30, 96);
 
 }  // namespace gnomon::test

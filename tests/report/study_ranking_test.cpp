@@ -125,13 +125,6 @@ TEST(StudyRanking, AMethodThatLacksACaseOfAStudyHasNoRankHoweverSmallItsError) {
   EXPECT_DOUBLE_EQ(*ranked[1].leaderError, (0.03 + 0.01) / 2);
 }
 
-TEST(StudyRanking, ACellOverFewerCasesIsMarked) {
-  const std::string html = rankingHtml(studiesWithAnEasyCase(), "").text();
-  EXPECT_THAT(html, HasSubstr("false light 0.00 %, 1 of 2 cases\">0.10*<"));
-  EXPECT_THAT(html, HasSubstr(study::fewerCasesMeaning));
-  EXPECT_THAT(rankingHtml(threeStudies(), "").text(), Not(HasSubstr(study::fewerCasesMeaning)));
-}
-
 TEST(StudyRanking, MoreStudiesComeFirstAmongThoseWithoutARank) {
   const auto ranked = study::rankOverStudies(
       meansOf({study("a", {{"once", {1, 1}}}), study("b", {{"twice", {90, 90}}}),
@@ -235,58 +228,7 @@ TEST(StudyRanking, NothingIsNotRanked) {
 
 // ---- as text
 
-TEST(RankingTerminal, SaysWhatTheRankingHolds) {
-  const std::string text = terminalReport(threeStudies(), false);
-  EXPECT_THAT(text, HasSubstr("Methods over 3 studies\n"));
-  EXPECT_THAT(text, HasSubstr("  1   curved    2.00    3.00  a           6 of 6      0.30\n"));
-  EXPECT_THAT(text, HasSubstr("  –   new       1.50    1.50  b           2 of 6      0.20\n"));
-  EXPECT_THAT(text, HasSubstr("      in 2 of 6 cases: no rank; curved has 2.00 % on the same\n"));
-  EXPECT_LT(text.find("2   flat"), text.find("Not in every case"));
-  EXPECT_LT(text.find("Not in every case"), text.find("–   new"));
-}
-
-TEST(RankingTerminal, FitsWhateverTheNames) {
-  const std::string label(90, 'm');
-  const std::string name(90, 's');
-  for (const auto& [l, n] : {std::pair(label, std::string("s")), std::pair(std::string("m"), name),
-                             std::pair(label, name)}) {
-    const std::string text = terminalReport(
-        meansOf({study(n, {{l, {10, 10}}, {"close", {10, 11}}}), study("b", {{l, {1, 1}}})}),
-        false);
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
-  }
-}
-
 // ---- as files
-
-TEST(RankingJson, HoldsRanksResultsAndClaims) {
-  std::vector<study::StudyMeans> studies = threeStudies();
-  studies[1].claims = {{"Curved is better", "§4", study::Verdict::held, "1 of 1"}};
-  studies[0].status = study::RunStatus::pass;
-  studies[1].status = study::RunStatus::fail;
-  const auto json = nlohmann::json::parse(rankingJson(studies, "gnomon run a b c"));
-  EXPECT_EQ(json["schema"], "gnomon-ranking/2");
-  EXPECT_EQ(json["status"], "fail");
-  EXPECT_EQ(json["command"], "gnomon run a b c");
-  EXPECT_EQ(json["studies"][0]["report"], "a/report.html");
-  EXPECT_EQ(json["studies"][0]["status"], "pass");
-  EXPECT_EQ(json["studies"][1]["status"], "fail");
-  ASSERT_EQ(json["methods"].size(), 3U);
-  EXPECT_EQ(json["methods"][0]["label"], "curved");
-  EXPECT_EQ(json["methods"][0]["rank"], 1);
-  EXPECT_EQ(json["methods"][0]["mean_error_rate"].get<double>(), (0.03 + 0.02 + 0.01) / 3);
-  EXPECT_TRUE(json["methods"][0]["leader_error_rate"].is_null());
-  EXPECT_TRUE(json["methods"][2]["rank"].is_null());
-  EXPECT_EQ(json["methods"][2]["worst_study"], "b");
-  ASSERT_EQ(json["results"].size(), 7U);
-  EXPECT_EQ(json["results"][2]["study"], "b");
-  EXPECT_EQ(json["results"][0]["false_shadow"], 0.005);
-  EXPECT_EQ(json["results"][0]["false_light"], 0.015);
-  ASSERT_EQ(json["claims"].size(), 1U);
-  EXPECT_EQ(json["claims"][0]["study"], "b");
-  EXPECT_EQ(json["claims"][0]["verdict"], "held");
-}
 
 TEST(RankingJson, RefusesFiguresThatAreNotFinite) {
   std::vector<study::StudyMeans> studies = threeStudies();
@@ -321,16 +263,6 @@ TEST(RankingHtml, LinksEveryStudyAndListsAllClaims) {
   for (const char* fetch : {"http://", "https://", "<link", "<script", "@import", "url("}) {
     EXPECT_THAT(html, Not(HasSubstr(fetch)));
   }
-}
-
-TEST(RankingHtml, ShadesTheWorstCellMost) {
-  const std::string html = rankingHtml(threeStudies(), "").text();
-  // Of 10.00, the worst, and 2.00: √(0.02 / 0.1).
-  EXPECT_THAT(html,
-              HasSubstr("--heat:1.000\" title=\"false shadow 5.00 %, false light 5.00 %\">10.00<"));
-  EXPECT_THAT(html,
-              HasSubstr("--heat:0.447\" title=\"false shadow 0.50 %, false light 1.50 %\">2.00<"));
-  EXPECT_THAT(html, HasSubstr("not evaluated"));
 }
 
 }  // namespace

@@ -278,11 +278,6 @@ TEST(SweepPlot, ItsLegendHoldsLongLabelsWhole) {
   }
 }
 
-TEST(SweepPlot, SameSweepSameBytes) {
-  EXPECT_EQ(svgOf(sweepPlot(sampleSweep(), sliceOf(sampleSweep()))),
-            svgOf(sweepPlot(sampleSweep(), sliceOf(sampleSweep()))));
-}
-
 TEST(SweepPlot, DrawsWhateverTheLabels) {
   study::SweepRecord sweep = sampleSweep();
   sweep.keys[0].axis = "it's `date` {/x}_2 \\ \"";
@@ -363,49 +358,7 @@ TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
   }
 }
 
-TEST(SweepHtml, OpensWithTheMethodThatIsClosestOverAllValues) {
-  study::SweepRecord sweep = sampleSweep();
-  const std::vector<DrawnPlot> plots = {{{}, "<svg/>"}};
-  const std::string all = sweepHtml(sweep, plots).text();
-  EXPECT_THAT(all, HasSubstr("Of 2 methods, <b>curved</b> is closest to the "));
-  EXPECT_THAT(all, HasSubstr("<b>1.67&#8239;%</b>"));
-  EXPECT_THAT(all, HasSubstr("on average, from 1.00 to 3.00&#8239;%."));
-  EXPECT_THAT(all, HasSubstr(" by 0.20&#8239;%.</p>")) << "how uncertain the truth is";
-  // As close as the truth is certain.
-  sweep.steps = {step({{"flat", 11}, {"curved", 10}}, 0.002),
-                 step({{"flat", 11}, {"curved", 10}}, 0.001),
-                 step({{"flat", 32}, {"curved", 30}}, 0.003)};
-  for (study::StudyRecord& each : sweep.steps) test::addDifferences(each, 0.0001);
-  EXPECT_THAT(sweepHtml(sweep, plots).text(),
-              HasSubstr("Its comparisons: not distinguishable from “flat”."));
-  sweep = sampleSweep();
-  for (study::StudyRecord& each : sweep.steps) test::addDifferences(each, 0.0001);
-  for (study::DifferenceRecord& row : sweep.steps[0].differences) row.interval.reset();
-  EXPECT_THAT(sweepHtml(sweep, plots).text(),
-              HasSubstr(" Its comparisons: no interval of the difference from “flat”."));
-  sweep = sampleSweep();
-  // What has no result at a value is not named.
-  sweep.steps[1] = step({{"flat", 40}}, 0.001);
-  EXPECT_THAT(sweepHtml(sweep, plots).text(), HasSubstr("Of 1 method, <b>flat</b> is closest"));
-  for (study::StudyRecord& each : sweep.steps) each = step({}, 0.001);
-  EXPECT_THAT(sweepHtml(sweep, plots).text(), Not(HasSubstr("is closest")));
-}
-
 // ---- terminal
-
-TEST(SweepTable, HasAColumnAValue) {
-  study::SweepRecord sweep = sampleSweep();
-  sweep.steps[2].judgements = {judgedAtMost(0.05)};
-  const std::string text = terminalReport(sweep, false);
-  EXPECT_THAT(text, HasSubstr("  Method       0.5     0.25        1\n"
-                              "  flat        2.00     4.00     8.00\n"
-                              "  curved      1.00     1.00     3.00\n"
-                              "  truth ±     0.20     0.10     0.30\n"));
-  EXPECT_THAT(text, HasSubstr("  held                 The gain <grows>\n"));
-  EXPECT_THAT(text, HasSubstr("Thresholds: 0 of 1 met"));
-  EXPECT_THAT(text,
-              HasSubstr("surface.curvature = 1: flat, error_rate ≤ 0.0500, camera, noon: 0.0800"));
-}
 
 TEST(SweepTable, FitsHoweverManyTheValues) {
   study::SweepRecord sweep = sampleSweep();
@@ -418,24 +371,6 @@ TEST(SweepTable, FitsHoweverManyTheValues) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
   for (const study::SweepCase& which : sweep.cases) {
     EXPECT_THAT(text, HasSubstr(which.name.substr(0, 8)));
-  }
-}
-
-TEST(SweepHtml, OfSoftLightErrorsAreSharesOfTheLight) {
-  study::SweepRecord sweep = sampleSweep();
-  const auto texts = [&] {
-    const SweepSlice slice = sliceOf(sweep);
-    const std::vector<DrawnPlot> plots = {{{}, "<svg/>"}};
-    return sweepHtml(sweep, plots).text() + sweepPlot(sweep, slice, PlotPlace::page).commands +
-           sweepCasesTable(sweep).caption;
-  };
-  EXPECT_THAT(texts(), Not(HasSubstr("of the light")));
-  EXPECT_THAT(texts(), HasSubstr("rate, percent of the samples"));
-  for (study::ResultRecord& row : sweep.steps[1].results) row.shares.push_back({"mae", 0.01, {}});
-  EXPECT_THAT(texts(), Not(HasSubstr("ercent of the samples")));
-  for (const char* part : {"Percent of the light, mean", "rate, percent of the light",
-                           "rate in percent of the light"}) {
-    EXPECT_THAT(texts(), HasSubstr(part));
   }
 }
 

@@ -6,19 +6,25 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace gnomon {
 
 /// A folder of a test's own that goes when the test ends.
 class TemporaryFolder : public ::testing::Test {
  protected:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "gnomon-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
+  TemporaryFolder() : folder_(made()), isOwn_(true) {}
+  /// A test in a folder that others made, which stays.
+  explicit TemporaryFolder(std::filesystem::path shared) : folder_(std::move(shared)) {}
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() override { std::filesystem::remove_all(folder_); }
+  ~TemporaryFolder() override {
+    if (isOwn_) std::filesystem::remove_all(folder_);
+  }
+  static std::filesystem::path made() {
+    std::string name = (std::filesystem::temp_directory_path() / "gnomon-XXXXXX").string();
+    return ::mkdtemp(name.data());
+  }
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   /// A message with its files named as they are in the folder, since that is another each time.
@@ -32,6 +38,7 @@ class TemporaryFolder : public ::testing::Test {
 
  private:
   std::filesystem::path folder_;
+  bool isOwn_ = false;
 };
 
 }  // namespace gnomon

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <random>
 #include <string>
@@ -12,6 +14,27 @@
 #include "surface/limit_surface.h"
 
 namespace gnomon::surface {
+
+/// A mesh file that lives as long as the object.
+class TemporaryMesh {
+ public:
+  /// @param ending  ".obj" or ".ply"
+  TemporaryMesh(const std::string& bytes, const std::string& ending)
+      : path_(std::filesystem::temp_directory_path() /
+              ("gnomon_mesh_" + std::to_string(std::random_device{}()) + ending)) {
+    std::ofstream(path_, std::ios::binary) << bytes;
+  }
+  ~TemporaryMesh() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  TemporaryMesh(const TemporaryMesh&) = delete;
+  TemporaryMesh& operator=(const TemporaryMesh&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 /// The cube [-1, 1]³: closed, eight extraordinary vertices of valence 3, each face its own uv
 /// square.

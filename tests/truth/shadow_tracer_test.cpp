@@ -1,14 +1,20 @@
-#include "truth/shadow_tracer.h"
-
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
+#include "truth/cast_shadows.h"
+#include "truth/embree.h"
 #include "truth/micro_surface.h"
+#include "truth/shadow_tracer.h"
 #include "truth/truth_scenes.h"
+
+// The truth on planes whose texture is stretched, sheared or mirrored, against the closed form.
+// An implementation that shares nothing with ours but the height function: Embree's own
+// Catmull-Clark surface, displaced by its callback, against the OpenSubdiv micro-mesh.
 
 namespace gnomon::truth {
 namespace {
@@ -19,6 +25,8 @@ using test::randomRelief;
 using test::sampleAt;
 using test::sampleLine;
 using test::samplesOfAllFaces;
+using test::ShearedPlane;
+using test::shearedPlanes;
 using test::stepRelief;
 using test::wallPlane;
 using test::wallRelief;
@@ -40,26 +48,6 @@ double lastShadowed(const Truth& truth) {
   }
   return (last + 1) / static_cast<double>(truth.mask.size());
 }
-
-class WallShadow : public testing::TestWithParam<std::pair<double, double>> {};
-
-TEST_P(WallShadow, IsAsLongAsTheTangentOfTheLightSays) {
-  const auto [azimuth, elevation] = GetParam();
-  const TruthScene scene(wallPlane(), wallRelief(), 0.25);
-  // The light stands on the wall's far side, turned by `azimuth` from straight across.
-  const Vec3 light = lightToward(180 + azimuth, elevation);
-  const double length = 6 / std::tan(radians(elevation)) * std::cos(radians(azimuth));
-  constexpr int count = 4000;
-  const Truth truth =
-      scene.trace(sampleLine(scene.surface, scene.relief, {32.5, 16}, {62.5, 16}, count), light);
-  EXPECT_NEAR(lastShadowed(truth) * 30 + 32.5, 31.5 + length, 30.0 / count + 2e-3);
-}
-
-INSTANTIATE_TEST_SUITE_P(Lights, WallShadow,
-                         testing::Values(std::pair{0.0, 60.0}, std::pair{0.0, 45.0},
-                                         std::pair{0.0, 20.0}, std::pair{0.0, 13.0},
-                                         std::pair{25.0, 45.0}, std::pair{-40.0, 30.0},
-                                         std::pair{30.0, 15.0}));
 
 TEST(ShadowTracer, FacetsTurnedFromTheLightAreAttached) {
   const TruthScene scene(wallPlane(), wallRelief(), 0.25);
@@ -275,6 +263,195 @@ TEST(ShadowTracer, HalfTheResolutionFlipsFew) {
   EXPECT_GT(coarse, 0);  // else the comparison shows nothing
   EXPECT_LT(fine, coarse / 2);
   EXPECT_LT(fine, 0.005);
+}
+
+class ShearedTruth : public testing::TestWithParam<relief::HeightSpace> {};
+
+/// A wall along the texture's y axis, 6 height units high, whose top ends at x = 31.5. Along the
+/// light's direction e in the texture plane one texel is σ long, so that the shadow on the floor
+/// ends 6 a |e_x| / (σ tan θ) texels from there.
+TEST_P(ShearedTruth, WallsShadowEndsWhereTheMetricSays) {
+  int shadows = 0;
+  for (const ShearedPlane& plane : shearedPlanes()) {
+    relief::Relief relief =
+        stepRelief(plane.width, plane.height, 6, [](int i, int) { return i >= 28 && i < 32; });
+    relief.space = GetParam();
+    const surface::LimitSurface surface(plane.cage());
+    const MicroMesh mesh(surface, relief, {plane.mirrored() ? 0.0625 : 0.25, 0});
+    const MicroScene scene(mesh);
+    for (const double azimuth : {180.0, 150.0, 215.0, 120.0}) {
+      for (const double elevation : {50.0, 35.0, 25.0}) {
+        const double a = radians(azimuth);
+        const double e = radians(elevation);
+        const double length = 6 * plane.worldPerHeight(relief.space) * std::abs(std::cos(a)) /
+                              (plane.worldPerTexel(a) * std::tan(e));
+        const double aside = length * std::abs(std::tan(a));
+        if (length < 2 || length > 28 || aside > 14) continue;  // on the lee slope, or off the map
+        ++shadows;
+        // The samples run slightly oblique, off the lines of texel centres.
+        surface::SampleGrid samples{2,
+                                    1,
+                                    {plane.sampleAt({31.5 + length - 0.05, 15.7}),
+                                     plane.sampleAt({31.5 + length + 0.05, 15.7})}};
+        const Truth truth = traceShadows(surface, relief, mesh, scene, samples,
+                                         TraceSettings{{plane.lightOver(a, e)}});
+        EXPECT_EQ(truth.mask.samples[0], Shade::shadowed)
+            << plane.px.x << " " << plane.py.x << " azimuth " << azimuth << " " << elevation;
+        EXPECT_EQ(truth.mask.samples[1], Shade::lit)
+            << plane.px.x << " " << plane.py.x << " azimuth " << azimuth << " " << elevation;
+      }
+    }
+  }
+  EXPECT_GT(shadows, 15);
+}
+
+/// An occluder's reach is measured in texels along the light's azimuth, at the sample's own metric:
+/// the wall's top edge lies `length` texels / |e_x| away.
+TEST_P(ShearedTruth, RadiusIsInTexelsAlongTheLight) {
+  for (const ShearedPlane& plane : shearedPlanes()) {
+    if (plane.mirrored()) continue;
+    relief::Relief relief =
+        stepRelief(plane.width, plane.height, 30, [](int i, int) { return i < 32; });
+    relief.space = GetParam();
+    const surface::LimitSurface surface(plane.cage());
+    const MicroMesh mesh(surface, relief, {0.25, 0});
+    const MicroScene scene(mesh);
+    const SurfacePaths paths(surface);
+    const double a = radians(160);
+    const double e = radians(4);
+    const surface::SampleGrid samples{1, 1, {plane.sampleAt({42.5, 15.7})}};
+    // The ray meets the wall's slope, which rises from 0 at x = 32.5 to 30 a at 31.5.
+    const double rise = std::tan(e) * plane.worldPerTexel(a) / std::abs(std::cos(a));  // a texel
+    const double steep = 30 * plane.worldPerHeight(relief.space);
+    const double met = 10 + rise * 10 / (steep - rise);  // texels along x
+    const double reach = met / std::abs(std::cos(a));
+    ASSERT_LT(met, 11);
+    for (const auto& [radius, region] :
+         {std::pair{reach + 0.02, Region::cast}, {reach - 0.02, Region::distant}}) {
+      const TraceSettings light{{plane.lightOver(a, e)}};
+      Truth truth = traceShadows(surface, relief, mesh, scene, samples, light);
+      splitCastShadows(surface, relief, mesh, scene, paths, {radius}, samples, {&light, 1},
+                       {&truth, 1});
+      EXPECT_EQ(truth.regions[0], region) << plane.px.x << " " << plane.py.x;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(HeightSpaces, ShearedTruth,
+                         testing::Values(relief::HeightSpace::world, relief::HeightSpace::texture));
+
+struct Displacement {
+  const surface::Cage* cage;
+  const relief::Relief* relief;
+};
+
+/// Bilinear uv of a face, as Cage defines it.
+Vec2 uvAt(const surface::Cage& cage, unsigned face, double s, double t) {
+  const auto corner = [&](unsigned k) {
+    return cage.uvs[static_cast<std::size_t>(cage.faceUvs[4 * face + k])];
+  };
+  return (1 - s) * (1 - t) * corner(0) + s * (1 - t) * corner(1) + s * t * corner(2) +
+         (1 - s) * t * corner(3);
+}
+
+void displace(const RTCDisplacementFunctionNArguments* arguments) {
+  const auto& data = *static_cast<const Displacement*>(arguments->geometryUserPtr);
+  for (unsigned i = 0; i < arguments->N; ++i) {
+    const Vec2 uv = uvAt(*data.cage, arguments->primID, arguments->u[i], arguments->v[i]);
+    const auto height = static_cast<float>(data.relief->field.at(uv * data.relief->texelsPerUv()));
+    const Vec3 normal =
+        glm::normalize(Vec3(arguments->Ng_x[i], arguments->Ng_y[i], arguments->Ng_z[i]));
+    arguments->P_x[i] += height * static_cast<float>(normal.x);
+    arguments->P_y[i] += height * static_cast<float>(normal.y);
+    arguments->P_z[i] += height * static_cast<float>(normal.z);
+  }
+}
+
+template <typename T>
+T* newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count,
+             std::size_t values = 1) {
+  return static_cast<T*>(
+      rtcSetNewGeometryBuffer(geometry, type, 0, format, values * sizeof(T), count));
+}
+
+embree::Scene subdivisionScene(RTCDevice device, Displacement& data, float pieces) {
+  const surface::Cage& cage = *data.cage;
+  embree::Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SUBDIVISION));
+  auto* positions = newBuffer<float>(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
+                                     cage.positions.size(), 3);
+  for (const Vec3& position : cage.positions) {
+    for (int axis = 0; axis < 3; ++axis) *positions++ = static_cast<float>(position[axis]);
+  }
+  auto* faces = newBuffer<unsigned>(geometry.get(), RTC_BUFFER_TYPE_FACE, RTC_FORMAT_UINT,
+                                    static_cast<std::size_t>(cage.faceCount()));
+  std::fill_n(faces, cage.faceCount(), 4U);
+  auto* indices = newBuffer<unsigned>(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT,
+                                      cage.faceVertices.size());
+  std::copy(cage.faceVertices.begin(), cage.faceVertices.end(), indices);
+  rtcSetGeometryTessellationRate(geometry.get(), pieces);
+  rtcSetGeometryUserData(geometry.get(), &data);
+  rtcSetGeometryDisplacementFunction(geometry.get(), displace);
+  rtcCommitGeometry(geometry.get());
+  embree::Scene scene(rtcNewScene(device));
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcAttachGeometry(scene.get(), geometry.get());
+  rtcCommitScene(scene.get());
+  return scene;
+}
+
+bool blocked(RTCScene scene, const Vec3& origin, const Vec3& light) {
+  RTCRayHit ray{};
+  ray.ray.org_x = static_cast<float>(origin.x);
+  ray.ray.org_y = static_cast<float>(origin.y);
+  ray.ray.org_z = static_cast<float>(origin.z);
+  ray.ray.dir_x = static_cast<float>(light.x);
+  ray.ray.dir_y = static_cast<float>(light.y);
+  ray.ray.dir_z = static_cast<float>(light.z);
+  ray.ray.tfar = std::numeric_limits<float>::infinity();
+  ray.ray.mask = ~0U;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect1(scene, ray);
+  return ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+}
+
+TEST(SubdivisionCheck, EmbreesOwnDisplacedSurfaceGivesTheSameShadows) {
+  const surface::Cage cage = surface::makeTorus(30, 10, 66, 66);
+  // Smooth waves: both tessellations must show the same surface, not the same texels.
+  std::vector<float> texels;
+  for (int j = 0; j < 132; ++j) {
+    for (int i = 0; i < 264; ++i) {
+      texels.push_back(
+          static_cast<float>(1.2 + 1.2 * std::cos(2 * pi * i / 22) * std::cos(2 * pi * j / 22)));
+    }
+  }
+  const relief::Relief relief{relief::HeightField(264, 132, texels, relief::Wrap::repeat),
+                              relief::HeightSpace::world, Vec2(1)};
+  const surface::LimitSurface surface(cage);
+  const MicroMesh mesh(surface, relief, {0.125, 0});
+  const MicroScene scene(mesh);
+  const surface::SampleGrid samples = test::samplesOfAllFaces(surface, 3);
+  const Vec3 light = test::lightToward(30, 25);
+  const Truth truth = traceShadows(surface, relief, mesh, scene, samples, {light, 1e-6});
+
+  Displacement data{&cage, &relief};
+  const embree::Device device(rtcNewDevice(nullptr));
+  const embree::Scene other = subdivisionScene(device.get(), data, 32);
+  std::size_t differ = 0;
+  std::size_t shadowed = 0;
+  for (std::size_t i = 0; i < samples.samples.size(); ++i) {
+    const surface::SurfaceSample& sample = samples.samples[i];
+    const Facet facet = mesh.facet(sample);
+    const bool turned = glm::dot(facet.normal, light) <= 0;
+    // Lifted over the difference of the two tessellations.
+    const Vec3 origin = mesh.centre() + facet.point + 2e-3 * facet.normal;
+    const bool dark = turned || blocked(other.get(), origin, light);
+    differ += dark != (truth.mask.samples[i] == Shade::shadowed) ? 1 : 0;
+    shadowed += dark ? 1 : 0;
+  }
+  const auto all = static_cast<double>(samples.samples.size());
+  EXPECT_GT(static_cast<double>(shadowed) / all, 0.2);
+  EXPECT_LT(static_cast<double>(shadowed) / all, 0.9);
+  EXPECT_LT(static_cast<double>(differ) / all, 0.002);
 }
 
 }  // namespace

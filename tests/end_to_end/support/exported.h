@@ -68,8 +68,12 @@ inline Point pointOf(const nlohmann::json& list) {
 }
 
 /// Tests that export studies.
-class ExportEndToEnd : public EndToEnd {
+class ExportEndToEnd : public SharedRuns {
  protected:
+  /// What an earlier export says of itself.
+  [[nodiscard]] nlohmann::json aboutOf(const std::string& name) const {
+    return nlohmann::json::parse(read("out/" + name + "/export/export.json"));
+  }
   nlohmann::json exported(const std::string& name, const std::string& text,
                           const std::vector<std::string>& options = {}) const {
     write(name + ".toml", text);
@@ -78,7 +82,7 @@ class ExportEndToEnd : public EndToEnd {
     const Outcome outcome = gnomon(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    return nlohmann::json::parse(read("out/" + name + "/export/export.json"));
+    return aboutOf(name);
   }
 };
 

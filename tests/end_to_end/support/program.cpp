@@ -197,6 +197,18 @@ std::vector<std::string> EndToEnd::filesBelow(const std::string& name) const {
   return files;
 }
 
+fs::path SharedRuns::folderOfSuite() {
+  static struct Folders {
+    ~Folders() {
+      for (const auto& [suite, folder] : of) fs::remove_all(folder);
+    }
+    std::map<std::string, fs::path> of;
+  } folders;
+  fs::path& folder = folders.of[testing::UnitTest::GetInstance()->current_test_suite()->name()];
+  if (folder.empty()) folder = made();
+  return folder;
+}
+
 nlohmann::json resultOf(const nlohmann::json& summary, const std::string& method,
                         const std::string& light, const std::string& view,
                         const std::string& region, const std::string& answer) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/replaced.h"
@@ -63,6 +64,8 @@ std::vector<unsigned char> readColours(const std::filesystem::path& path);
 /// A test that runs studies in a folder of its own.
 class EndToEnd : public TemporaryFolder {
  protected:
+  EndToEnd() = default;
+  explicit EndToEnd(std::filesystem::path shared) : TemporaryFolder(std::move(shared)) {}
   void write(const std::string& name, const std::string& text) const;
   [[nodiscard]] std::string read(const std::string& name) const;
 
@@ -79,6 +82,20 @@ class EndToEnd : public TemporaryFolder {
   [[nodiscard]] GreyImage mask(const std::string& study, const std::string& name) const;
   /// All files below a folder, relative to it, sorted.
   [[nodiscard]] std::vector<std::string> filesBelow(const std::string& name) const;
+};
+
+/// A test in the folder of its whole suite: what `prepare` runs there once, all of its tests read.
+class SharedRuns : public EndToEnd {
+ protected:
+  SharedRuns() : EndToEnd(folderOfSuite()) {}
+  void SetUp() override {
+    if (!std::filesystem::exists(file(".prepared"))) prepare();
+    write(".prepared", "");
+  }
+  virtual void prepare() = 0;
+
+ private:
+  static std::filesystem::path folderOfSuite();
 };
 
 /// The entry of `results` for a method, light, view and region.

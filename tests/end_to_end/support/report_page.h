@@ -25,9 +25,9 @@ inline std::string reportedStudy() {
 inline const std::vector<std::string> noComplaints;
 
 /// The page of a small study, in a browser.
-class ReportPage : public EndToEnd {
+class ReportPage : public SharedRuns {
  protected:
-  void SetUp() override { runStudy("small", reportedStudy()); }
+  void prepare() override { runStudy("small", reportedStudy()); }
 
   [[nodiscard]] std::filesystem::path page() const { return file("out/small/report.html"); }
 

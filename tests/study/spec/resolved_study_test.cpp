@@ -7,11 +7,11 @@
 
 #include "common/files/atomic_file.h"
 #include "common/text/sha256.h"
-#include "study/spec/sections/method_section.h"
 #include "study/spec/study_inputs.h"
 #include "study/spec/sweep/sweep.h"
 #include "study/spec/toml/toml_text.h"
 #include "support/error_messages.h"
+#include "support/same_study.h"
 #include "support/scene_files.h"
 #include "support/temporary_folder.h"
 
@@ -19,6 +19,7 @@ namespace gnomon::study {
 namespace {
 
 namespace fs = std::filesystem;
+using test::expectSame;
 using ::testing::Contains;
 using ::testing::Field;
 using ::testing::HasSubstr;
@@ -34,62 +35,6 @@ class ResolvedStudy : public TemporaryFolder {
     return copy;
   }
 };
-
-bool isSameFile(const fs::path& a, const fs::path& b) {
-  return fs::canonical(a) == fs::canonical(b);
-}
-
-/// The numbers that masks follow from, to the bit.
-void expectSame(const StudySpec& a, const StudySpec& b) {
-  EXPECT_EQ(a.cage.positions, b.cage.positions);
-  EXPECT_EQ(a.cage.uvs, b.cage.uvs);
-  EXPECT_EQ(a.cage.faceVertices, b.cage.faceVertices);
-  EXPECT_EQ(a.cage.scheme, b.cage.scheme);
-  EXPECT_EQ(a.relief.field.texels(), b.relief.field.texels());
-  EXPECT_EQ(a.relief.field.wrap(), b.relief.field.wrap());
-  EXPECT_EQ(a.relief.space, b.relief.space);
-  EXPECT_EQ(a.relief.repeats, b.relief.repeats);
-  EXPECT_EQ(a.truth.stepTexels, b.truth.stepTexels);
-  if (!a.truth.stepTexels) {
-    EXPECT_EQ(a.truth.leastTriangles, b.truth.leastTriangles);
-  }
-  ASSERT_EQ(a.views.size(), b.views.size());
-  for (std::size_t k = 0; k < a.views.size(); ++k) {
-    EXPECT_EQ(a.views[k].name, b.views[k].name);
-    if (const auto* atlas = std::get_if<AtlasSpec>(&a.views[k].kind)) {
-      EXPECT_EQ(atlas->samplesPerSide, std::get<AtlasSpec>(b.views[k].kind).samplesPerSide);
-      continue;
-    }
-    const auto& x = std::get<Camera>(a.views[k].kind);
-    const auto& y = std::get<Camera>(b.views[k].kind);
-    EXPECT_EQ(x.eye, y.eye);
-    EXPECT_EQ(x.target, y.target);
-    EXPECT_EQ(x.up, y.up);
-    EXPECT_EQ(x.verticalFov, y.verticalFov);
-    EXPECT_EQ(x.width, y.width);
-    EXPECT_EQ(x.height, y.height);
-  }
-  ASSERT_EQ(a.lights.size(), b.lights.size());
-  for (std::size_t k = 0; k < a.lights.size(); ++k) {
-    EXPECT_EQ(a.lights[k].name, b.lights[k].name);
-    EXPECT_EQ(a.lights[k].angles, b.lights[k].angles);
-  }
-  ASSERT_EQ(a.methods.size(), b.methods.size());
-  for (std::size_t k = 0; k < a.methods.size(); ++k) {
-    MethodSpec method = a.methods[k];
-    EXPECT_TRUE(isSameFile(method.file, b.methods[k].file));
-    method.file = b.methods[k].file;
-    // The copy has the defaults too.
-    method.parameters = b.methods[k].parameters;
-    for (const auto& [name, value] : a.methods[k].parameters) {
-      EXPECT_EQ(b.methods[k].parameters.at(name), value);
-    }
-    EXPECT_EQ(method.label, b.methods[k].label);
-    EXPECT_TRUE(isSameMethod(method, b.methods[k])) << method.label;
-  }
-  EXPECT_EQ(a.thresholds.size(), b.thresholds.size());
-  EXPECT_EQ(a.ladders.size(), b.ladders.size());
-}
 
 TEST_F(ResolvedStudy, OfEverySceneReadsBackToTheBit) {
   int files = 0;

@@ -167,26 +167,6 @@ TEST(StudyKey, EveryValueEntersTheCachesKeyUnlessItsDeclarationSaysOtherwise) {
   }
 }
 
-TEST(StudyKey, SaysItsTypeAndDefault) {
-  Section section;
-  std::map<std::string, std::pair<std::string, std::string>> said;
-  for (const StudyKey& key : keysOf(section)) {
-    said[std::string(key.name)] = {typeText(key), defaultText(key)};
-  }
-  using Said = std::pair<std::string, std::string>;
-  EXPECT_EQ(said["text"], Said("text", "`'old'`"));
-  EXPECT_EQ(said["flag"], Said("true or false", "`false`"));
-  EXPECT_EQ(said["whole"], Said("a whole number from 1 to 9", "`3`"));
-  EXPECT_EQ(said["number"], Said("a number above 0", "`0.1`"));
-  EXPECT_EQ(said["maybe"], Said("a finite number", "none"));
-  EXPECT_EQ(said["whole_pair"], Said("two whole numbers from 1 to 9", "`[4, 5]`"));
-  EXPECT_EQ(said["colour"], Said("`red`, `green`", "`'red'`"));
-  EXPECT_EQ(said["bits"], Said("8, 16", "`8`"));
-  EXPECT_EQ(said["angle"], Said("a number of at least 0 and at most 90", "`30.0`"));
-  EXPECT_EQ(said["texels"], Said("a finite number", "`2.0`"));
-  EXPECT_EQ(said["numbers"], Said("a finite number, or a list of them", "`7.0`"));
-}
-
 TEST(StudyKey, ThatIsUnusualIsWrittenAndKeyedOnlyThen) {
   const auto keyOf = [](const std::string& text) {
     cache::KeyBuilder key("section");

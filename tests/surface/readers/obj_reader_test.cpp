@@ -22,30 +22,8 @@ namespace Sdc = OpenSubdiv::Sdc;
 
 const char* const spotFile = GNOMON_SCENES "/meshes/spot_control_mesh.obj";
 
-/// A file that lives as long as the object.
-class TemporaryObj {
- public:
-  explicit TemporaryObj(const std::string& text)
-      : path_(std::filesystem::temp_directory_path() /
-              ("gnomon_obj_" +
-               std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) +
-               std::to_string(std::random_device{}()) + ".obj")) {
-    std::ofstream(path_, std::ios::binary) << text;
-  }
-  ~TemporaryObj() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryObj(const TemporaryObj&) = delete;
-  TemporaryObj& operator=(const TemporaryObj&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 Cage readText(const std::string& text) {
-  const TemporaryObj file(text);
+  const TemporaryMesh file(text, ".obj");
   return readMeshFile(file.path());
 }
 
@@ -243,7 +221,7 @@ TEST(JoinedVertices, AnEdgeOfManyFacesTakesNoTime) {
 }
 
 TEST(ReadObj, TrianglesForLoop) {
-  const TemporaryObj file(square + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  const TemporaryMesh file(square + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", ".obj");
   const Cage cage = readMeshFile(file.path(), SubdivisionScheme::loop);
   EXPECT_EQ(cage.scheme, SubdivisionScheme::loop);
   EXPECT_EQ(cage.faceCount(), 2);
@@ -616,8 +594,8 @@ TEST(ObjReader, FacesKeepTheirPartsWhenTheyAreCut) {
     EXPECT_EQ(parts[static_cast<std::size_t>(face)],
               surface.evaluate(face, 0.5, 0.5).position.x > 1.5 ? 1 : 0);
   }
-  const TemporaryObj triangles(square + "v 2 0 0\nv 3 0 0\nv 3 1 0\no a\nf 1/1 2/2 3/3\n" +
-                               "o b\nf 5/1 6/2 7/3\n");
+  const TemporaryMesh triangles(
+      square + "v 2 0 0\nv 3 0 0\nv 3 1 0\no a\nf 1/1 2/2 3/3\n" + "o b\nf 5/1 6/2 7/3\n", ".obj");
   const Cage loop = readMeshFile(triangles.path(), SubdivisionScheme::loop);
   EXPECT_EQ(loop.limitFaceParts(), (std::vector<int>{0, 0, 0, 1, 1, 1}));
 }

@@ -17,31 +17,9 @@ namespace {
 
 const char* const spotPath = GNOMON_SCENES "/meshes/spot_control_mesh.obj";
 
-/// A file that lives as long as the object.
-class TemporaryPly {
- public:
-  explicit TemporaryPly(const std::string& bytes)
-      : path_(std::filesystem::temp_directory_path() /
-              ("gnomon_ply_" +
-               std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) +
-               std::to_string(std::random_device{}()) + ".ply")) {
-    std::ofstream(path_, std::ios::binary) << bytes;
-  }
-  ~TemporaryPly() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryPly(const TemporaryPly&) = delete;
-  TemporaryPly& operator=(const TemporaryPly&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 Cage readBytes(const std::string& bytes,
                SubdivisionScheme scheme = SubdivisionScheme::catmullClark) {
-  const TemporaryPly file(bytes);
+  const TemporaryMesh file(bytes, ".ply");
   return readMeshFile(file.path(), scheme);
 }
 
