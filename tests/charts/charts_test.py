@@ -1,6 +1,7 @@
 """The script that cuts meshes into charts: what it writes, against an independent count of how often each
 texel of the atlas is covered, and what the program says of the same atlas."""
 
+import csv
 import json
 import os
 import pathlib
@@ -147,7 +148,7 @@ name = "unshadowed"
     return json.loads((folder / "out/atlas/summary.json").read_text())
 
 
-@pytest.mark.parametrize("case", ["four", "halves"])
+@pytest.mark.parametrize("case", ["four", "halves", "stacked"])
 def test_the_program_says_whether_charts_overlap(cut, case, tmp_path):
     options, charts, shared = CASES[case]
     path = cut(case, *options)
@@ -161,3 +162,37 @@ def test_a_solid_is_refused_where_charts_overlap(cut, tmp_path):
     run = summary_of(cut("halves", *CASES["halves"][0]), 'solid = "noise"\nperiod = 0.2', tmp_path)
     assert run.returncode == 3
     assert "overlap" in run.stderr
+
+
+def test_a_case_of_the_series_is_measured_and_stands_in_the_table(tmp_path):
+    """As `reproduce --only charts` does, in the quick form."""
+    subprocess.run([sys.executable, SCRIPT, "series", tmp_path / "series", "--only", "spot-4"], check=True)
+    studies = sorted((tmp_path / "series").glob("charts-*.toml"))
+    assert [study.name for study in studies] == ["charts-spot-4.toml"]
+    subprocess.run([PROGRAM, "run", *studies, "--quick", "--metrics-only", "--no-cache", "--out", tmp_path / "out"],
+                   check=True)
+    table = tmp_path / "table/charts.csv"
+    run = subprocess.run([sys.executable, PROJECT / "results/charts.py", tmp_path / "out", table],
+                         check=True, capture_output=True, text=True)
+    (row,) = csv.DictReader(table.open())
+    assert row.pop("case") == "spot-4"
+    assert row.pop("charts") == "4"
+    assert float(row.pop("shared_area")) < 1e-3
+    errors = {name: float(value) for name, value in row.items()}
+    assert list(errors) == ["unshadowed", "shadow-map", "two-scales", "two-scales-surface", "uncertainty"]
+    assert errors["unshadowed"] > 0.05 > errors["two-scales"] > 0
+    assert f"| spot-4 | 4 | 0.0 | {100 * errors['unshadowed']:.2f} |" in run.stdout
+
+
+def test_the_table_names_what_a_method_is_worse_than(tmp_path):
+    (tmp_path / "charts-case").mkdir()
+    (tmp_path / "charts-case/summary.json").write_text('{"texture": {"charts": 64, "shared_area": 0.02}}')
+    lines = ["study,method,error_rate,uncertainty", "other,unshadowed,0.5,0.1", "charts-case,unshadowed,0.09,0.0004",
+             "charts-case,shadow-map,0.0031,0.0004", "charts-case,two-scales,0.0033,0.0004",
+             "charts-case,two-scales-surface,0.0039,0.0004"]
+    (tmp_path / "ranking.csv").write_text("\n".join(lines))
+    run = subprocess.run([sys.executable, PROJECT / "results/charts.py", tmp_path, tmp_path / "charts.csv"],
+                         check=True, capture_output=True, text=True)
+    assert run.stdout.splitlines()[2:] == ["| case | 64 | 2.0 | 9.00 | 0.31 | 0.33 | 0.39 | 0.04 |",
+                                           "case: `two-scales-surface` 0.390 %, worse than `two-scales`",
+                                           "case: `two-scales-surface` 0.390 %, worse than `shadow-map`"]
