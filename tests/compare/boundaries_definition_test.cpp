@@ -352,8 +352,8 @@ TEST(Boundaries, OfManyCandidatesAtOnceAreThoseOfEach) {
       const auto alone = compareBoundaries(masks[k], truth, layout);
       ASSERT_EQ(found[k].size(), alone.size());
       for (std::size_t i = 0; i < alone.size(); ++i) {
-        EXPECT_EQ(found[k][i].value, alone[i].value) << k << ' ' << alone[i].name;
-        EXPECT_EQ(found[k][i].reason, alone[i].reason) << k << ' ' << alone[i].name;
+        EXPECT_EQ(found[k][i].value, alone[i].value) << k << ' ' << alone[i].name();
+        EXPECT_EQ(found[k][i].reason, alone[i].reason) << k << ' ' << alone[i].name();
       }
     }
   }

@@ -272,9 +272,11 @@ TEST(Rates, PerfectAndOppositeMasksAreExact) {
     const Counts perfect = counts(tp, 0, 0, 5, 8);
     for (const MetricId zero : std::initializer_list<MetricId>{
              "error_rate", "false_shadow", "false_light", "fpr", "fnr", "ber"}) {
-      EXPECT_EQ(value(perfect, zero), 0) << zero;
+      EXPECT_EQ(value(perfect, zero), 0) << zero.name();
     }
-    for (const char* one : {"iou", "f1", "mcc"}) EXPECT_EQ(value(perfect, one), 1) << one;
+    for (const MetricId one : std::initializer_list<MetricId>{"iou", "f1", "mcc"}) {
+      EXPECT_EQ(value(perfect, one), 1) << one.name();
+    }
     const Counts opposite = counts(0, tp, 5, 0, 8);
     EXPECT_EQ(value(opposite, "mcc"), -1);
     EXPECT_EQ(value(opposite, "iou"), 0);
@@ -293,7 +295,7 @@ TEST(Rates, AnAnswerThatIgnoresTheTruthScoresAsChance) {
 TEST(Rates, IdentitiesHoldForRandomMasks) {
   EXPECT_TRUE(rc::check([] {
     const Counts c = arbitraryCounts();
-    const auto get = [&](std::string_view name) { return rate(c, name).value; };
+    const auto get = [&](MetricId id) { return rate(c, id).value; };
     const auto error = get("error_rate");
     RC_ASSERT(error.has_value() == (c.total() > 0));
     if (!error) return;
