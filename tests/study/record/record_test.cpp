@@ -20,7 +20,7 @@ using compare::MetricKind;
 
 Judgement judgementOf(std::optional<double> value, std::optional<double> minimum,
                       std::optional<double> maximum) {
-  return {{"", "", "", "", "", minimum, maximum}, GateVerdict::undefined, value};
+  return {{"", "", "", "", "error_rate", minimum, maximum}, GateVerdict::undefined, value};
 }
 
 TEST(Judgement, MarginIsTheDistanceFromTheNearestLimit) {
