@@ -417,7 +417,7 @@ TEST_F(BudgetRun, IsInEveryReport) {
   const std::size_t section = page.find("<section id=\"budget\">");
   ASSERT_NE(section, std::string::npos);
   EXPECT_THAT(page.substr(section, page.find("</section>", section) - section),
-              HasSubstr("<figure class=\"plot"));
+              HasSubstr("interpolation"));
 }
 
 TEST_F(BudgetRun, ALadderMustBeginAtItsMethod) {

@@ -11,8 +11,6 @@
 #include "report/json/summary_json.h"
 #include "report/page/report_html.h"
 #include "report/page/terminal_report.h"
-#include "report/plots/budget_plot.h"
-#include "report/plots/study_plots.h"
 #include "report/sample_record.h"
 #include "report/tables/budget_table.h"
 #include "report/tables/case_tables.h"
@@ -79,70 +77,6 @@ TEST(BudgetFiles, CsvHasARowAPart) {
   EXPECT_THAT(csv, HasSubstr("\nclose,atlas,all,total,0.05,0.049,0.052000000000000005,1,0.05,"));
   EXPECT_THAT(csv, HasSubstr("\n\"rough, \"\"old\"\"\",atlas,low,formula,0.005,"));
   EXPECT_THAT(csv, HasSubstr(",0,0.01,0.009000000000000001,0.012,1,0.0004\n"));
-}
-
-/// What one part's rectangles span in the plot's data, a bar each: left and right, percent.
-std::vector<std::pair<double, double>> spans(const std::string& script, const std::string& part) {
-  const std::size_t begin = script.find('\n', script.find("$" + part + " << EOD")) + 1;
-  std::istringstream rows(script.substr(begin, script.find("EOD", begin) - begin));
-  std::vector<std::pair<double, double>> found;
-  double middle{};
-  double y{};
-  double left{};
-  double right{};
-  double bottom{};
-  double top{};
-  while (rows >> middle >> y >> left >> right >> bottom >> top) {
-    EXPECT_NEAR(middle, (left + right) / 2, 1e-9);
-    found.emplace_back(left, right);
-  }
-  return found;
-}
-
-/// What is above 0 stands to the right of the zero line without a gap, what is below it to its
-/// left.
-TEST(BudgetPlot, DrawsEveryShareWhereItBelongs) {
-  const std::vector<study::BudgetRecord> budgets = {budgetOf("close", "all")};
-  const std::string script = budgetPlot(budgets).commands;
-  const auto near = [](double left, double right) {
-    return ::testing::Pair(::testing::DoubleNear(left, 1e-9), ::testing::DoubleNear(right, 1e-9));
-  };
-  // Forward 3, -1, 0.5, then 0.5 and 2 that are left; backward 2.5, -1 and 1.
-  EXPECT_THAT(spans(script, "p0"), ElementsAre(near(0, 3), near(0, 2.5)));
-  EXPECT_THAT(spans(script, "p1"), ElementsAre(near(-1, 0), near(-1, 0)));
-  EXPECT_THAT(spans(script, "p2"), ElementsAre(near(3, 3.5), near(2.5, 3.5)));
-  EXPECT_THAT(spans(script, "p4"), ElementsAre(near(3.5, 4), near(3.5, 4)));
-  EXPECT_THAT(spans(script, "p6"), ElementsAre(near(4, 6), near(4, 6)));
-  EXPECT_THAT(script, HasSubstr("set arrow from 5,-0.48 to 5,1.48"));
-}
-
-TEST(BudgetPlot, NamesEveryPartOnceWithAColourOfItsOwn) {
-  const std::string script = budgetPlot(budgetsOf(recordWithBudgets(), "all")).commands;
-  static const std::regex legend("rgb '(#[0-9a-f]{6})' title '([^']*)'");
-  std::set<std::string> colours;
-  std::vector<std::string> names;
-  for (std::sregex_iterator at(script.begin(), script.end(), legend), end; at != end; ++at) {
-    colours.insert((*at)[1]);
-    names.push_back((*at)[2]);
-  }
-  EXPECT_THAT(names, ElementsAre("map <interpolation>", "bits", "formula", "left: global",
-                                 "left: distant", "left: seam", "left: other"));
-  EXPECT_EQ(colours.size(), names.size());
-}
-
-TEST(BudgetPlot, DrawsAMethodWithoutErrors) {
-  study::BudgetRecord none;
-  none.method = "perfect";
-  EXPECT_THAT(svgOf(budgetPlot(std::array{none})),
-              AllOf(HasSubstr("perfect"), HasSubstr("</svg>")));
-}
-
-TEST(BudgetPlot, IsOneForAllLightsTogetherAndOneForEach) {
-  std::vector<std::string> names;
-  for (const PlotSheet& sheet : studyPlots(recordWithBudgets())) {
-    if (sheet.section == "budget") names.push_back(sheet.name);
-  }
-  EXPECT_THAT(names, ElementsAre("budget", "budget_low", "budget_high"));
 }
 
 study::DifferenceRecord difference(const std::string& first, const std::string& second,

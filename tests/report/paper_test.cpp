@@ -138,18 +138,15 @@ TEST(PaperTable, HasTheChosenRowsInItsOwnOrder) {
   EXPECT_THAT(latexTabular(chosen), Not(HasSubstr("rough")));
 }
 
-TEST(ChosenMethods, AreAllThatPlotsAreMadeOf) {
-  study::StudyRecord record = test::sampleRecord();
-  record.bins = {{"best", "camera", "all", "elevation", {}, 0, test::countsOf(10, 1, 0)},
-                 {"close", "camera", "all", "elevation", {}, 0, test::countsOf(10, 1, 0)}};
-  const study::StudyRecord chosen = withMethods(record, {"close"});
+TEST(ChosenMethods, AreAllOfASweepsTable) {
+  study::SweepRecord sweep;
+  sweep.steps = {test::sampleRecord()};
+  const study::StudyRecord chosen = withMethods(sweep, {"close"}).steps.at(0);
   ASSERT_THAT(chosen.methods, SizeIs(1));
-  ASSERT_THAT(chosen.bins, SizeIs(1));
-  EXPECT_EQ(chosen.bins[0].method, "close");
   EXPECT_THAT(chosen.cost, SizeIs(1));
   for (const study::ResultRecord& row : chosen.results) EXPECT_EQ(row.method, "close");
-  EXPECT_EQ(chosen.truth.flips.size(), record.truth.flips.size());
-  EXPECT_THAT(withMethods(record, {"nosuch"}).methods, SizeIs(3));
+  EXPECT_EQ(chosen.truth.flips.size(), sweep.steps[0].truth.flips.size());
+  EXPECT_THAT(withMethods(sweep, {"nosuch"}).steps.at(0).methods, SizeIs(3));
 }
 
 }  // namespace

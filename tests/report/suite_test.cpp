@@ -6,6 +6,7 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
+#include "report/plotted_methods.h"
 #include "report/suite/suite_files.h"
 #include "report/suite/suite_html.h"
 #include "report/suite/suite_json.h"
@@ -49,9 +50,7 @@ study::SuiteStatistics statistics() {
 }
 
 std::vector<DrawnPlot> drawn(const study::SuiteStatistics& of) {
-  std::vector<DrawnPlot> plots;
-  for (const PlotSheet& sheet : suitePlots(of)) plots.push_back({sheet, svgOf(sheet)});
-  return plots;
+  return drawPlots(sheetsOf(suitePlots(of, plottedMethods(of))), nullptr);
 }
 
 TEST(SuiteHtml, SaysWhatWasFound) {
@@ -136,8 +135,8 @@ TEST_F(SuiteFiles, AreWrittenForASuiteOnly) {
   EXPECT_TRUE(writeSuiteOf(studies(), "", SuiteParts::all, paper, folder));
   for (const char* name :
        {"suite.csv", "suite.md", "suite.html", "suite.json", "plots/suite-errors.svg",
-        "plots/suite-wins.pdf", "plots/suite-bins.svg", "suite-table.tex", "suite-table-page.tex",
-        "suite-numbers.tex", "figures/page/suite-errors.pdf"}) {
+        "plots/suite-wins.pdf", "plots/suite-bins_elevation.svg", "suite-table.tex",
+        "suite-table-page.tex", "suite-numbers.tex", "figures/page/suite-errors.pdf"}) {
     EXPECT_TRUE(folder.names(name)) << name;
     EXPECT_GT(std::filesystem::file_size(folder.path() / name), 100U) << name;
   }

@@ -1,18 +1,16 @@
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <regex>
 #include <sstream>
 
 #include "common/error.h"
 #include "report/json/sweep_json.h"
 #include "report/page/sweep_html.h"
 #include "report/page/terminal_report.h"
-#include "report/plots/sweep_cost_plots.h"
-#include "report/plots/sweep_plot.h"
 #include "report/plots/sweep_plots.h"
 #include "report/sample_record.h"
 #include "report/tables/formats/csv_format.h"
@@ -48,11 +46,6 @@ study::SweepCase caseAt(double value) {
   return {study::sweptNumber(value).text, {study::sweptNumber(value)}};
 }
 
-/// The one slice of a sweep of one key.
-SweepSlice sliceOf(const study::SweepRecord& sweep) {
-  return slicesOf(sweep).at(0);
-}
-
 /// Values out of order: 0.5, 0.25, 1. "flat" 2, 4 and 8 percent, "curved" 1, 1 and 3.
 study::SweepRecord sampleSweep() {
   study::SweepRecord sweep;
@@ -82,6 +75,20 @@ study::SweepRecord costlySweep() {
                            {"curved", 960, 2'000'000, 0, std::nullopt}};
   }
   return sweep;
+}
+
+std::vector<LinePlot> plotsOf(const study::SweepRecord& sweep) {
+  return sweepPlots(sweep, {"flat", "curved"});
+}
+
+/// "0.25 4, 0.5 –": the points of a curve.
+std::string pointsOf(const PlotCurve& curve) {
+  std::string text;
+  for (const PlotPoint& point : curve.points) {
+    text += fmt::format("{}{:g} {}", text.empty() ? "" : ", ", point.x,
+                        point.y ? fmt::format("{:g}", *point.y) : "–");
+  }
+  return text;
 }
 
 study::Judgement judgedAtMost(double maximum) {
@@ -140,7 +147,7 @@ TEST(SweepMeans, SayWhereTheyAreOverFewerCases) {
   const study::StudyMeans study = study::studyMeans(sweep);
   EXPECT_EQ(study::labelWithCases(study.methods[0]), "flat");
   EXPECT_EQ(study::labelWithCases(study.methods[1]), "curved (5 of 6 cases)");
-  EXPECT_THAT(sweepPlot(sweep, sliceOf(sweep)).commands, HasSubstr("'curved (5 of 6 cases)'"));
+  EXPECT_EQ(plotsOf(sweep).at(0).curves.at(1).label, "curved (5 of 6 cases)");
   EXPECT_THAT(terminalReport(sweep, false), HasSubstr("  curved      1.00    1.00*     3.00\n"));
   EXPECT_THAT(terminalReport(sweep, false), HasSubstr(study::fewerCasesMeaning));
   EXPECT_THAT(terminalReport(sampleSweep(), false), Not(HasSubstr(study::fewerCasesMeaning)));
@@ -205,132 +212,53 @@ TEST(SweepJson, HoldsTheSweep) {
 // ---- plot
 
 TEST(SweepPlot, DrawsTheFiguresInTheOrderOfTheValues) {
-  const std::string script = sweepPlot(sampleSweep(), sliceOf(sampleSweep())).commands;
-  EXPECT_THAT(script, HasSubstr("$truth << EOD\n0.25 0.1\n0.5 0.2\n1 0.3\nEOD\n"));
-  EXPECT_THAT(script, HasSubstr("$e0 << EOD\n0.25 4\n0.5 2\n1 8\nEOD\n"));
-  EXPECT_THAT(script, HasSubstr("$s1 << EOD\n0.25 0.5\n0.5 0.5\n1 1.5\nEOD\n"));
-  EXPECT_THAT(script, HasSubstr("set xlabel offset 0,0.4 'curvature, 1/world’s'\n"));
+  const LinePlot plot = plotsOf(sampleSweep()).at(0);
+  ASSERT_EQ(plot.curves.size(), 2U);
+  EXPECT_EQ(pointsOf(plot.curves[0]), "0.25 4, 0.5 2, 1 8");
+  EXPECT_EQ(pointsOf(plot.curves[1]), "0.25 1, 0.5 1, 1 3");
+  ASSERT_EQ(plot.band.size(), 3U);
+  EXPECT_EQ(plot.band[2].y, 0.3);
+  const std::string script = sheetOf(plot).commands;
+  EXPECT_THAT(script, HasSubstr("set xlabel 'curvature, 1/world’s' "));
+  EXPECT_THAT(script, HasSubstr("$c0 << EOD\n0.25 4 NaN NaN\n0.5 2 NaN NaN\n1 8 NaN NaN\nEOD\n"));
+  EXPECT_EQ(svgsOf({sheetOf(plot)}), svgsOf({sheetOf(plot)}));
 }
 
 TEST(SweepPlot, LeavesAGapWhereAFigureIsNotDefined) {
   study::SweepRecord sweep = sampleSweep();
   for (study::ResultRecord& row : sweep.steps[0].results) row.counts = {};
-  EXPECT_THAT(sweepPlot(sweep, sliceOf(sweep)).commands,
-              HasSubstr("$e1 << EOD\n0.25 1\n0.5 NaN\n1 3\nEOD\n"));
-  EXPECT_THAT(svgOf(sweepPlot(sweep, sliceOf(sweep))), HasSubstr("</svg>"));
+  EXPECT_EQ(pointsOf(plotsOf(sweep).at(0).curves[1]), "0.25 1, 0.5 –, 1 3");
+  EXPECT_THAT(svgsOf(sheetsOf(plotsOf(sweep))).front(), HasSubstr("</svg>"));
 }
 
-/// The y coordinates of the points of a plot command's k-th line in the first panel.
-std::vector<double> pointHeights(const std::string& svg, int k) {
-  const std::size_t begin = svg.find("<title>gnuplot_plot_" + std::to_string(k) + "a</title>");
-  const std::string drawn = svg.substr(begin, svg.find("<title>", begin + 1) - begin);
-  const std::regex line(" d='(M[^']*L[^']*)'");
-  std::smatch match;
-  std::vector<double> heights;
-  if (!std::regex_search(drawn, match, line)) return heights;
-  std::istringstream path(match[1].str());
-  char letter{};
-  char comma{};
-  double x{};
-  double y{};
-  while (path >> letter >> x >> comma >> y) heights.push_back(y);
-  return heights;
-}
-
-TEST(SweepPlot, HasItsLinesWhereTheFiguresAre) {
-  const std::string svg = svgOf(sweepPlot(sampleSweep(), sliceOf(sampleSweep())));
-  // The axis goes from 0 at the bottom; flat is 4, 2, 8 percent, curved 1, 1, 3.
-  const auto flat = pointHeights(svg, 2);
-  const auto curved = pointHeights(svg, 3);
-  ASSERT_EQ(flat.size(), 3U);
-  ASSERT_EQ(curved.size(), 3U);
-  const double percent = (flat[1] - flat[0]) / 2;
-  EXPECT_GT(percent, 10);
-  EXPECT_NEAR(flat[1] - flat[2], 6 * percent, 0.1);
-  EXPECT_NEAR(curved[0] - flat[0], 3 * percent, 0.1);
-  EXPECT_NEAR(curved[1], curved[0], 0.1);
-  EXPECT_NEAR(curved[1] - curved[2], 2 * percent, 0.1);
-}
-
-/// Where a text of an SVG starts, in pixels from the left; nothing where it is not there.
-std::optional<double> leftOf(const std::string& svg, const std::string& text) {
-  const std::size_t at = svg.find(text + "</");
-  const std::size_t place = svg.rfind("translate(", at);
-  if (at == std::string::npos || place == std::string::npos) return std::nullopt;
-  return std::stod(svg.substr(place + std::string("translate(").size()));
-}
-
-TEST(SweepPlot, ItsLegendHoldsLongLabelsWhole) {
-  for (const std::string label :
-       {"resampled-horizon, 8 azimuths", "sloan-cohen-surface, 32 azimuths",
-        "resampled-horizon, with forty characters"}) {
-    study::SweepRecord sweep = sampleSweep();
-    for (study::StudyRecord& record : sweep.steps) {
-      for (study::ResultRecord& row : record.results) {
-        if (row.method == "flat") row.method = label;
-      }
-    }
-    const PlotSheet sheet = sweepPlot(sweep, sliceOf(sweep));
-    const auto left = leftOf(svgOf(sheet), label);
-    ASSERT_TRUE(left) << label;
-    // 14 pixels of DejaVu Sans, as a browser draws it: 7.4 pixels a character.
-    EXPECT_LE(*left + 7.4 * static_cast<double>(label.size()), sheet.width) << label;
-  }
+TEST(SweepPlot, ShowsTheMethodsThatAreAskedFor) {
+  const auto plots = sweepPlots(sampleSweep(), {"curved"});
+  ASSERT_EQ(plots.at(0).curves.size(), 1U);
+  EXPECT_EQ(plots[0].curves[0].label, "curved");
 }
 
 TEST(SweepPlot, DrawsWhateverTheLabels) {
   study::SweepRecord sweep = sampleSweep();
   sweep.keys[0].axis = "it's `date` {/x}_2 \\ \"";
+  const std::string label = "a 'label' of <some> length & such a number " + std::string(9, 'm');
   for (study::StudyRecord& record : sweep.steps) {
-    for (int i = 0; i < 9; ++i) {
-      const std::string label = "a 'label' of <some> length & such a number " + std::to_string(i);
-      record.results.push_back(result(label, "noon", "camera", "all", countsOf(1000, 10 * i, 0)));
-    }
-    for (study::ResultRecord& row : record.results) {
-      if (row.method == "flat") row.counts = countsOf(1000, 0, 0);
-    }
-  }
-  const std::string svg = svgOf(sweepPlot(sweep, sliceOf(sweep)));
-  EXPECT_THAT(svg, HasSubstr("it’s `date` {/x}_2 \\"));
-  EXPECT_THAT(svg, HasSubstr("a ’label’ of &lt;some> length &amp; such a num…"));
-  // No error at all: the axis has no length of its own.
-  for (study::StudyRecord& record : sweep.steps) {
+    record.results.push_back(result(label, "noon", "camera", "all", countsOf(1000, 10, 0)));
+    // No error at all: the axis has no length of its own.
     for (study::ResultRecord& row : record.results) row.counts = countsOf(1000, 0, 0);
     record.truth.uncertainty = 0;
   }
-  EXPECT_THAT(svgOf(sweepPlot(sweep, sliceOf(sweep))), HasSubstr("</svg>"));
+  const std::string svg = svgsOf(sheetsOf(sweepPlots(sweep, {label}))).front();
+  EXPECT_THAT(svg, HasSubstr("it’s `date` {/x}_2 \\"));
+  EXPECT_THAT(svg, HasSubstr("a ’label’ of &lt;some> length &amp; such"));
 }
 
-// ---- what the values cost
-
-TEST(SweepCostPlots, AreFramesAgainstTheValueAndErrorAgainstMemory) {
-  const std::vector<PlotSheet> sheets = sweepCostPlots(costlySweep(), sliceOf(costlySweep()));
-  ASSERT_EQ(sheets.size(), 2U);
-  EXPECT_EQ(sheets[0].name, "sweep_frames");
-  EXPECT_THAT(sheets[0].commands, HasSubstr("$m0 << EOD\n0.25 4\n0.5 8\n1 16\nEOD\n"));
-  EXPECT_THAT(sheets[0].commands, HasSubstr("set xlabel 'curvature, 1/world’s'\n"));
-  EXPECT_THAT(sheets[0].commands, Not(HasSubstr("$m1"))) << "never timed";
-  EXPECT_EQ(sheets[1].name, "sweep_memory");
-  EXPECT_THAT(sheets[1].commands, HasSubstr("$m0 << EOD\n1.5 4\n1 2\n4 8\nEOD\n"));
-  EXPECT_THAT(sheets[1].commands, Not(HasSubstr("$m1"))) << "always as much";
-  for (const PlotSheet& sheet : sheets) EXPECT_THAT(svgOf(sheet), HasSubstr("</svg>"));
-}
-
-TEST(SweepCostPlots, AreNotDrawnWhereNothingWasMeasured) {
-  EXPECT_TRUE(sweepCostPlots(sampleSweep(), sliceOf(sampleSweep())).empty());
-  study::SweepRecord sweep = costlySweep();
-  for (study::StudyRecord& record : sweep.steps) record.cost[0].frameMs.reset();
-  ASSERT_EQ(sweepCostPlots(sweep, sliceOf(sweep)).size(), 1U);
-  EXPECT_EQ(sweepCostPlots(sweep, sliceOf(sweep))[0].name, "sweep_memory");
-}
-
-TEST(SweepCostPlots, LeaveAGapWhereAFigureIsNotDefined) {
-  study::SweepRecord sweep = costlySweep();
-  for (study::ResultRecord& row : sweep.steps[0].results) row.counts = {};
-  sweep.steps[1].cost[0].frameMs.reset();
-  const std::vector<PlotSheet> sheets = sweepCostPlots(sweep, sliceOf(sweep));
-  EXPECT_THAT(sheets.at(0).commands, HasSubstr("$m0 << EOD\nNaN NaN\n0.5 8\n1 16\nEOD\n"));
-  EXPECT_THAT(sheets.at(1).commands, HasSubstr("$m0 << EOD\n1.5 4\nNaN NaN\n4 8\nEOD\n"));
+TEST(SweepPlot, OfMemoryHasTheMethodsWhoseMemoryChanges) {
+  const auto plots = plotsOf(costlySweep());
+  ASSERT_EQ(plots.size(), 2U);
+  EXPECT_EQ(plots[1].name, "sweep_memory");
+  ASSERT_EQ(plots[1].curves.size(), 1U) << "the other reads always as much";
+  EXPECT_EQ(pointsOf(plots[1].curves[0]), "1.5 4, 1 2, 4 8");
+  EXPECT_EQ(plotsOf(sampleSweep()).size(), 1U) << "nothing was measured";
 }
 
 // ---- page
@@ -343,13 +271,14 @@ TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
   cost.title = "Time & money";
   cost.section = sweepCostSection;
   cost.width = 640;
-  const std::vector<DrawnPlot> plots = {{{}, "<svg/>"}, {cost, "<svg/>"}};
+  const std::vector<DrawnPlot> plots = {{{.section = sweepErrorSection}, "<svg/>", ""},
+                                        {cost, "<svg/>", ""}};
   const std::string html = sweepHtml(sweep, plots).text();
   for (const char* part :
-       {"<h1>Bumps &amp; &lt;dents&gt;</h1>", "viewBox=\"0 0 1000 560\"", "viewBox=\"0 0 640 560\"",
-        "<h3>Time &amp; money</h3>", "href=\"0.25/report.html\"", ">8.00</td>",
-        "The gain &lt;grows&gt;", "1 of 2 thresholds met", "<h3>surface.curvature = 1</h3>",
-        "--heat:1.000"}) {
+       {"<h1>Bumps &amp; &lt;dents&gt;</h1>", "width=\"1000\" height=\"560\"",
+        "width=\"640\" height=\"560\"", "<h3>Time &amp; money</h3>", "href=\"0.25/report.html\"",
+        ">8.00</td>", "The gain &lt;grows&gt;", "1 of 2 thresholds met",
+        "<h3>surface.curvature = 1</h3>", "--heat:1.000"}) {
     EXPECT_THAT(html, HasSubstr(part));
   }
   EXPECT_THAT(html, Not(HasSubstr("<h3>surface.curvature = 0.5</h3>"))) << "its gate was met";

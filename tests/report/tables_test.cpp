@@ -16,7 +16,7 @@
 #include "report/json/summary_json.h"
 #include "report/page/report_html.h"
 #include "report/page/terminal_report.h"
-#include "report/plots/frontier_plot.h"
+#include "report/plots/study_plots.h"
 #include "report/sample_record.h"
 #include "report/tables/case_tables.h"
 #include "report/tables/cost_table.h"
@@ -292,35 +292,19 @@ TEST(Frontier, MayBeAskedForTheTimeOfAFrame) {
   EXPECT_FALSE(points[1].efficient) << "slower and worse";
   EXPECT_TRUE(points[2].efficient) << "no table, and no memory";
   EXPECT_TRUE(frontier(record, Price::memory).empty()) << "of memory there is one choice";
-  const MethodStyles styles(study::studyMeans(record));
-  const PlotSheet sheet = frontierPlot(points, Price::frameTime, styles);
-  EXPECT_EQ(sheet.name, "frontier_time");
-  EXPECT_EQ(sheet.section, "cost");
-  EXPECT_NE(svgOf(sheet).find("frame, ms"), std::string::npos);
+  const std::vector<LinePlot> plots = studyPlots(record, {"a 8"});
+  ASSERT_EQ(plots.size(), 1U);
+  EXPECT_EQ(plots[0].name, "frontier_time");
+  EXPECT_EQ(plots[0].section, "cost");
+  // The frontier of all, and the entries of the method that is shown.
+  ASSERT_EQ(plots[0].curves.size(), 2U);
+  EXPECT_EQ(plots[0].curves[1].points.size(), 2U);
 }
 
-TEST(Frontier, MayBeAskedForTheTexelsRead) {
-  study::StudyRecord record = recordOf({{"a 8", "a", 800, 0, 50}, {"a 16", "a", 800, 0, 20}});
-  record.cost[0].texels = 2.5;
-  record.cost[1].texels = 9;
-  const auto points = frontier(record, Price::texels);
-  ASSERT_EQ(points.size(), 2U);
-  EXPECT_EQ(points[0].price, 2.5);
-  const MethodStyles styles(study::studyMeans(record));
-  const PlotSheet sheet = frontierPlot(points, Price::texels, styles);
-  EXPECT_EQ(sheet.name, "frontier_texels");
-  ASSERT_EQ(sheet.values.size(), 2U);
-  EXPECT_EQ(sheet.values[0], "a 8: 5.00 % wrong, 2.5 texels");
-}
-
-TEST(Frontier, PlotAndRowsHoldEveryEntry) {
+TEST(Frontier, RowsHoldEveryEntry) {
   const study::StudyRecord record =
       recordOf({{"a, 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 0}});
-  const MethodStyles styles(study::studyMeans(record));
   const auto points = frontier(record, Price::memory);
-  const std::string svg = svgOf(frontierPlot(points, Price::memory, styles));
-  EXPECT_NE(svg.find("<svg"), std::string::npos);
-  EXPECT_EQ(svg, svgOf(frontierPlot(points, Price::memory, styles)));
   EXPECT_EQ(csvTable(frontierTable(points)),
             "method,shader,bytes,error_rate,efficient\n\"a, 8\",a,800,0.05,1\na 16,a,1600,0,1\n");
 }

@@ -216,14 +216,14 @@ TEST(TextWidth, NothingCanMoveTheCursor) {
 }
 
 TEST(TextWidth, WrapsAtSpaces) {
-  using Lines = std::vector<std::string>;
-  EXPECT_EQ(wrapText("one two three", 7), (Lines{"one two", "three"}));
-  EXPECT_EQ(wrapText("one two three", 6), (Lines{"one", "two", "three"}));
-  EXPECT_EQ(wrapText("  much   space ", 20), (Lines{"much space"}));
-  EXPECT_EQ(wrapText("unbreakable", 4), (Lines{"unbr", "eaka", "ble"}));
-  EXPECT_EQ(wrapText("a unbreakable", 4), (Lines{"a", "unbr", "eaka", "ble"}));
-  EXPECT_EQ(wrapText("", 4), Lines{});
-  EXPECT_EQ(wrapText("   ", 4), Lines{});
+  using Wrapped = std::vector<std::string>;
+  EXPECT_EQ(wrapText("one two three", 7), (Wrapped{"one two", "three"}));
+  EXPECT_EQ(wrapText("one two three", 6), (Wrapped{"one", "two", "three"}));
+  EXPECT_EQ(wrapText("  much   space ", 20), (Wrapped{"much space"}));
+  EXPECT_EQ(wrapText("unbreakable", 4), (Wrapped{"unbr", "eaka", "ble"}));
+  EXPECT_EQ(wrapText("a unbreakable", 4), (Wrapped{"a", "unbr", "eaka", "ble"}));
+  EXPECT_EQ(wrapText("", 4), Wrapped{});
+  EXPECT_EQ(wrapText("   ", 4), Wrapped{});
 }
 
 /// A line of a CSV file that holds these texts.
@@ -291,11 +291,11 @@ TEST(PlainJson, ReadsBackAsTheSameString) {
   EXPECT_EQ(plainJson(Json{{"a", {1, 2.5, nullptr, "°"}}}, -1), "{\"a\":[1,2.5,null,\"°\"]}");
 }
 
-TEST(CleanSvg, IsWellFormedWhateverALabelHolds) {
-  const std::string svg = cleanSvg(
+TEST(StyledSvg, IsWellFormedWhateverALabelHolds) {
+  const std::string svg = styledSvg(
       runGnuplot("set encoding utf8\nset terminal svg noenhanced\nset title " +
                  gnuplotText("]]> <&\xff\u202e\x01") + "\nplot x title " + gnuplotText("a]]>b")),
-      "t]]>");
+      "t]]>", "");
   EXPECT_THAT(svg, Not(HasSubstr("]]>")));
   EXPECT_EQ(xmlText(svg), svg);
   pugi::xml_document document;

@@ -2,9 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "report/json/summary_json.h"
@@ -13,9 +11,9 @@
 #include "report/page/report_html.h"
 #include "report/page/sweep_html.h"
 #include "report/paper/paper_files.h"
-#include "report/plots/drawn_plots.h"
 #include "report/plots/study_plots.h"
 #include "report/plots/sweep_plots.h"
+#include "report/plotted_methods.h"
 #include "report/tables/budget_table.h"
 #include "report/tables/case_tables.h"
 #include "report/tables/formats/csv_format.h"
@@ -28,12 +26,15 @@
 namespace gnomon::report {
 namespace {
 
-/// Draws all plots, and writes those for paper.
-std::vector<DrawnPlot> writePlots(const std::function<std::vector<PlotSheet>(PlotPlace)>& sheetsFor,
-                                  RunFolder& folder, cache::Cache& cache) {
-  DrawnPlots plots = drawPlots(sheetsFor, &cache);
-  for (const DrawnPlots::File& file : plots.paper) folder.write(file.name, file.bytes);
-  return std::move(plots.page);
+/// Draws the plots of the methods that they show, and writes them.
+std::vector<DrawnPlot> writePlots(const std::vector<LinePlot>& plots, RunFolder& folder,
+                                  cache::Cache& cache) {
+  std::vector<DrawnPlot> drawn = drawPlots(sheetsOf(plots), &cache);
+  for (const DrawnPlot& plot : drawn) {
+    folder.write(fmt::format("plots/{}.svg", plot.sheet.name), plot.svg);
+    folder.write(fmt::format("plots/{}.pdf", plot.sheet.name), plot.pdf);
+  }
+  return drawn;
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ void writeRunFiles(const study::StudyRecord& record, const PaperOptions& paper, 
   writeRows("frontier.csv", frontierTable(frontier(record, Price::memory)));
   writeRows("budget.csv", budgetPartsTable(record));
   const std::vector<DrawnPlot> plots =
-      writePlots([&](PlotPlace place) { return studyPlots(record, place); }, folder, cache);
+      writePlots(studyPlots(record, plottedMethods(study::studyMeans(record))), folder, cache);
   for (const CasePage& page : casePages(record, folder.path())) {
     folder.write(page.file, page.page.text());
   }
@@ -67,7 +68,7 @@ void writeSweepFiles(const study::SweepRecord& sweep, const PaperOptions& paper,
   folder.write("cases.csv", longCsv(sweep));
   writePaperFiles(sweep, paper, folder);
   const std::vector<DrawnPlot> plots =
-      writePlots([&](PlotPlace place) { return sweepPlots(sweep, place); }, folder, cache);
+      writePlots(sweepPlots(sweep, plottedMethods(study::studyMeans(sweep))), folder, cache);
   folder.write("report.html", sweepHtml(sweep, plots).text());
   folder.finish(sweepJson(sweep));
 }

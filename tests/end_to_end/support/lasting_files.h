@@ -59,9 +59,7 @@ inline std::string lasting(const std::string& name, const std::string& text) {
   if (name.ends_with("/report.html")) return lastingPage(text);
   if (name.ends_with("/table.csv")) return withoutLastColumn(text, ",");
   if (name.ends_with("/table-page.tex")) return withoutLastColumn(text, "&");
-  for (const char* plot : {"/sweep_frames", "/frontier_time"}) {
-    if (name.find(plot) != std::string::npos) return {};
-  }
+  if (name.find("/frontier_time") != std::string::npos) return {};
   // Its rows end with a stroke too.
   if (name.ends_with("/table.md")) return withoutLastColumn(withoutLastColumn(text, "|"), "|");
   return text;

@@ -124,12 +124,12 @@ TEST(Gnuplot, TextIsTextWhateverItHolds) {
 }
 
 TEST(Gnuplot, SvgBearsOurTitleAndNoVersion) {
-  const std::string svg = cleanSvg(runGnuplot("set terminal svg\nplot x\n"), "A & <b>");
-  EXPECT_THAT(svg, HasSubstr("<title>A &amp; &lt;b&gt;</title>"));
+  const std::string svg = styledSvg(runGnuplot("set terminal svg\nplot x\n"), "A & <b>", "g{}");
+  EXPECT_THAT(svg, HasSubstr("<title>A &amp; &lt;b&gt;</title><style>g{}</style>"));
   EXPECT_THAT(svg, Not(HasSubstr("Produced by")));
   EXPECT_THAT(svg, Not(HasSubstr("desc>")));
   EXPECT_THAT(svg, HasSubstr("</svg>"));
-  EXPECT_THROW((void)cleanSvg("<svg></svg>", "t"), InternalError);
+  EXPECT_THROW((void)styledSvg("<svg></svg>", "t", ""), InternalError);
 }
 
 }  // namespace

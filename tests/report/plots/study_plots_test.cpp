@@ -3,18 +3,17 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "common/error.h"
-#include "report/plots/bin_plot.h"
+#include "report/page/html_page.h"
 #include "report/sample_record.h"
 
 namespace gnomon::report {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::Not;
 using ::testing::StartsWith;
 
 study::BinRecord bin(const std::string& method, const std::string& view, std::optional<double> low,
@@ -32,51 +31,36 @@ study::StudyRecord plottedRecord() {
   return made;
 }
 
-MethodStyles styles() {
-  return MethodStyles(study::studyMeans(plottedRecord()));
+std::vector<LinePlot> plotsOf(const study::StudyRecord& record) {
+  return studyPlots(record, {"best", "close"});
 }
 
-TEST(BinPlot, DrawsEachBinsErrorAtItsPlace) {
-  const std::string script = binPlot(plottedRecord(), "elevation", "camera", styles()).commands;
-  // The middle, the error, the lower end and the width; open bins are as wide as their neighbours.
-  EXPECT_THAT(script, HasSubstr("$m0 << EOD\n-5 5 -10 10\n5 10 0 10\n25 1 20 10\nEOD\n"));
-  EXPECT_THAT(script, HasSubstr("$m1 << EOD\n-5 NaN -10 10\n5 25 0 10\n25 10 20 10\nEOD\n"));
-  EXPECT_THAT(script, HasSubstr("set xtics ('0' 0, '10' 10, '20' 20)\n"));
-  EXPECT_THAT(script, HasSubstr("set x2tics ('10.0 %%' -5, '20.0 %%' 5, '70.0 %%' 25)\n"));
+TEST(BinPlot, DrawsEachBinsErrorAtItsMiddle) {
+  const LinePlot plot = plotsOf(plottedRecord()).at(0);
+  EXPECT_EQ(plot.name, "error-by-elevation_camera");
+  const std::string script = sheetOf(plot).commands;
+  // Open bins are as wide as their neighbours.
+  EXPECT_THAT(script, HasSubstr("$c0 << EOD\n-5 5 NaN NaN\n5 10 NaN NaN\n25 1 NaN NaN\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("$c1 << EOD\n-5 NaN NaN NaN\n5 25 NaN NaN\n25 10 NaN NaN\nEOD\n"));
   // Flips of 0.2 and 0.4 percent under the two lights.
-  EXPECT_THAT(script, HasSubstr("$truth << EOD\n-10 0.3\n30 0.3\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("$band << EOD\n-10 0.3 NaN NaN\n30 0.3 NaN NaN\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("set xrange [-10:30]\n"));
   EXPECT_THAT(script, HasSubstr("degrees'"));
 }
 
 TEST(BinPlot, OfSoftLightErrorsAreSharesOfTheLight) {
   study::StudyRecord record = plottedRecord();
-  const auto axisOf = [&] {
-    return binPlot(record, "elevation", "camera", MethodStyles(study::studyMeans(record))).commands;
-  };
-  EXPECT_THAT(axisOf(), HasSubstr("set ylabel 'wrong, percent of the bin’s samples'"));
+  EXPECT_EQ(plotsOf(record).at(0).yLabel, "wrong, percent of the bin’s samples");
   for (study::ResultRecord& row : record.results) row.shares.push_back({"mae", 0.01, {}});
-  EXPECT_THAT(axisOf(), HasSubstr("set ylabel 'wrong, percent of the bin’s light'"));
+  EXPECT_EQ(plotsOf(record).at(0).yLabel, "wrong, percent of the bin’s light");
 }
 
 /// 1, 2, 4, 8: each bin is as wide as the others on a logarithmic axis, those at the ends too.
-TEST(BinPlot, EdgesThatGrowByOneFactorAreLogarithmic) {
-  study::StudyRecord record = test::sampleRecord();
-  record.bins = {bin("best", "camera", {}, 1, 5, 100), bin("best", "camera", 1, 2, 5, 100),
-                 bin("best", "camera", 2, 4, 5, 100), bin("best", "camera", 4, 8, 5, 100),
-                 bin("best", "camera", 8, {}, 5, 100)};
-  const std::string script =
-      binPlot(record, "elevation", "camera", MethodStyles(study::studyMeans(record))).commands;
-  EXPECT_THAT(script, HasSubstr("set logscale x\n"));
-  EXPECT_THAT(script, HasSubstr("set xrange [0.5:16]\n"));
-  const std::string linear = binPlot(plottedRecord(), "elevation", "camera", styles()).commands;
-  EXPECT_THAT(linear, Not(HasSubstr("set logscale")));
-  EXPECT_THAT(linear, HasSubstr("set xrange [-10:30]\n"));
-}
-
-TEST(BinPlot, NamesTheViewsOfAnAxis) {
-  EXPECT_THAT(binAxes(plottedRecord()), ElementsAre("elevation"));
-  EXPECT_THAT(binViews(plottedRecord(), "elevation"), ElementsAre("camera", "atlas"));
-  EXPECT_TRUE(binViews(plottedRecord(), "nosuch").empty());
+TEST(BinAxis, EdgesThatGrowByOneFactorAreLogarithmic) {
+  const BinAxis axis = binAxis({{{}, 1}, {1, 2}, {2, 4}, {4, 8}, {8, {}}});
+  EXPECT_EQ(axis.commands, "set logscale x\nset xrange [0.5:16]\n");
+  EXPECT_DOUBLE_EQ(axis.middles.at(1), std::sqrt(2.0));
+  EXPECT_EQ(binAxis({{{}, 0}, {0, 10}}).commands, "set xrange [-1:10]\n");
 }
 
 /// On a plane all samples have one curvature.
@@ -85,22 +69,22 @@ TEST(BinPlot, OfOneBinThereIsNone) {
   std::erase_if(record.bins, [&](const study::BinRecord& each) {
     return each.view == "camera" && each.low != record.bins.front().low;
   });
-  EXPECT_THAT(binViews(record, "elevation"), ElementsAre("atlas"));
+  ASSERT_EQ(plotsOf(record).size(), 1U);
+  EXPECT_EQ(plotsOf(record)[0].name, "error-by-elevation_atlas");
 }
 
-TEST(StudyPlots, AreNamedApartAndDrawn) {
-  std::vector<std::string> names;
-  for (const PlotSheet& sheet : studyPlots(plottedRecord())) {
-    names.push_back(sheet.name);
-    EXPECT_FALSE(sheet.about.empty());
-    EXPECT_THAT(svgOf(sheet), HasSubstr("</svg>"));
+TEST(StudyPlots, AreDrawnInTheStyleOfADarkPageToo) {
+  for (const DrawnPlot& plot : drawPlots(sheetsOf(plotsOf(plottedRecord())), nullptr)) {
+    EXPECT_FALSE(plot.sheet.about.empty());
+    EXPECT_THAT(plot.svg, HasSubstr("<style>@media screen and (prefers-color-scheme:dark)"));
+    EXPECT_THAT(plot.pdf, StartsWith("%PDF-"));
+    EXPECT_THAT(htmlPlot(plot).text(), HasSubstr("src=\"data:image/svg+xml;base64,"));
   }
-  EXPECT_THAT(names, ElementsAre("error-by-elevation_camera", "error-by-elevation_atlas"));
-  EXPECT_TRUE(studyPlots(study::StudyRecord{}).empty());
+  EXPECT_TRUE(studyPlots(study::StudyRecord{}, {}).empty());
 }
 
 TEST(PlotSheet, PdfDoesNotTellTheTimeZone) {
-  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera", styles());
+  const PlotSheet sheet = sheetOf(plotsOf(plottedRecord()).at(0));
   const std::string here = pdfsOf({sheet}).front();
   const char* before = std::getenv("TZ");
   const std::string kept = before == nullptr ? "" : before;
@@ -111,7 +95,7 @@ TEST(PlotSheet, PdfDoesNotTellTheTimeZone) {
 }
 
 TEST(PlotSheet, PdfIsOnePageOfTheSizeWithoutADate) {
-  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera", styles());
+  const PlotSheet sheet = sheetOf(plotsOf(plottedRecord()).at(0));
   const std::string pdf = pdfsOf({sheet}).front();
   EXPECT_THAT(pdf, StartsWith("%PDF-"));
   EXPECT_THAT(pdf, HasSubstr("%%EOF"));
@@ -121,8 +105,8 @@ TEST(PlotSheet, PdfIsOnePageOfTheSizeWithoutADate) {
   EXPECT_THAT(pdf, HasSubstr("/MediaBox [ 0 0 500 280 ]"));
   ::sleep(1);  // what a date would tell apart
   EXPECT_EQ(pdf, pdfsOf({sheet}).front());
-  EXPECT_EQ(svgOf(sheet), svgOf(sheet));
-  EXPECT_THAT(svgOf(sheet), HasSubstr("<title>Error by light over the tangent plane"));
+  EXPECT_EQ(svgsOf({sheet}).front(), svgsOf({sheet}).front());
+  EXPECT_THAT(svgsOf({sheet}).front(), HasSubstr("<title>Error by light over the tangent plane"));
 }
 
 /// One gnuplot draws all: nothing that one plot sets reaches the next.
@@ -131,15 +115,15 @@ TEST(PlotSheet, IsTheSameBesideOthers) {
       "x",
       "x",
       "x",
+      "plots",
       300,
       200,
       "set logscale xy\nset key off\nset border 15 lc rgb '#ff0000'\nset xrange [2:3]\n"
       "set format x '%.9f'\nset style data lines\nset multiplot layout 1,2\n"
       "set encoding iso_8859_1\n"
       "$bins << EOD\n1 2\nEOD\nplot x\nplot x\nunset multiplot\n"};
-  for (const PlotPlace place : {PlotPlace::paper, PlotPlace::phone}) {
-    PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera", styles());
-    sheet.place = place;
+  {
+    const PlotSheet sheet = sheetOf(plotsOf(plottedRecord()).at(0));
     const std::vector<PlotSheet> beside = {meddler, sheet, meddler, sheet, sheet};
     for (auto* format : {&svgsOf, &pdfsOf}) {
       const std::vector<std::string> drawn = (*format)(beside);
@@ -152,7 +136,8 @@ TEST(PlotSheet, IsTheSameBesideOthers) {
 }
 
 TEST(PlotSheet, ErrorsAreGnuplots) {
-  EXPECT_THROW((void)pdfsOf({{"x", "x", "x", 100, 100, "plot nosuch$(\n"}}), InternalError);
+  EXPECT_THROW((void)pdfsOf({{"x", "x", "x", "plots", 100, 100, "plot nosuch$(\n"}}),
+               InternalError);
 }
 
 }  // namespace

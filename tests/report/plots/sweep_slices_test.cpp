@@ -2,13 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include <sstream>
 #include <string>
 
-#include "report/plots/plot_sheet.h"
-#include "report/plots/sweep_lights_plot.h"
-#include "report/plots/sweep_map_plot.h"
-#include "report/plots/sweep_plot.h"
 #include "report/sample_record.h"
 
 namespace gnomon::report {
@@ -75,7 +70,6 @@ TEST(SweepSlices, OneDimensionIsOneSliceInTheOrderOfItsValues) {
   EXPECT_THAT(slices[0].positions, ElementsAre(1, 2, 3));
   EXPECT_EQ(slices[0].suffix, "");
   EXPECT_EQ(slices[0].axis, "height");
-  EXPECT_FALSE(isGrid(sweep));
 }
 
 TEST(SweepSlices, OfTwoDimensionsTheOneOfFewerValuesCuts) {
@@ -114,9 +108,7 @@ TEST(SweepSlices, TextsAreCategories) {
   ASSERT_EQ(slices.size(), 1U);
   EXPECT_THAT(slices[0].categories, ElementsAre("columns", "cells"));
   EXPECT_THAT(slices[0].positions, ElementsAre(0, 1));
-  const PlotSheet sheet = sweepPlot(sweep, slices[0]);
-  EXPECT_THAT(sheet.commands, HasSubstr("set xtics ('columns' 0, 'cells' 1)\n"));
-  EXPECT_THAT(svgOf(sheet), HasSubstr(">columns</"));
+  EXPECT_EQ(axisCommands(slices[0]), "set xtics ('columns' 0, 'cells' 1)\n");
 }
 
 TEST(SweepSlices, ManyDimensionsHaveNone) {
@@ -124,52 +116,6 @@ TEST(SweepSlices, ManyDimensionsHaveNone) {
   sweep.keys.push_back({"bake.azimuths", "azimuths", 2});
   for (study::SweepCase& which : sweep.cases) which.values.push_back(study::sweptNumber(4));
   EXPECT_THAT(slicesOf(sweep), IsEmpty());
-  EXPECT_FALSE(isGrid(sweep));
-}
-
-TEST(SweepMap, HasEachCaseInItsPlace) {
-  std::vector<double> values;
-  for (int i = 9; i > 0; --i) values.push_back(i);
-  const study::SweepRecord sweep = gridSweep(values, values);
-  EXPECT_THAT(slicesOf(sweep), IsEmpty());
-  ASSERT_TRUE(isGrid(sweep));
-  const SweepGrid grid = gridOf(sweep);
-  EXPECT_EQ(grid.across.front(), "1");
-  // The first case has the largest value of both.
-  EXPECT_EQ(grid.cases.back(), 0U);
-  EXPECT_EQ(grid.cases[0], 80U);
-  // One step to the right is the next larger value of the first key.
-  EXPECT_EQ(grid.cases[1], 71U);
-  const PlotSheet sheet = sweepMapPlot(sweep);
-  const std::string begin = "$m0 << EOD\n0 0 ";
-  const std::size_t at = sheet.commands.find(begin);
-  ASSERT_NE(at, std::string::npos);
-  std::istringstream rows(sheet.commands.substr(at + begin.size()));
-  double first = 0, column = 0, row = 0, second = 0;
-  rows >> first >> column >> row >> second;
-  EXPECT_DOUBLE_EQ(first, 8.8);
-  EXPECT_EQ(column, 1);
-  EXPECT_EQ(row, 0);
-  EXPECT_DOUBLE_EQ(second, 7.8);
-  EXPECT_THAT(svgOf(sheet), HasSubstr("</svg>"));
-}
-
-TEST(SweepLights, HasACurveALight) {
-  study::SweepRecord sweep = gridSweep({2, 1}, {8});
-  sweep.keys.pop_back();
-  for (study::SweepCase& which : sweep.cases) which.values.pop_back();
-  EXPECT_FALSE(sweepLightsPlot(sweep, slicesOf(sweep).at(0))) << "one light";
-  sweep.steps = {stepOf({{"noon", 10}, {"dusk", 20}}), stepOf({{"noon", 30}, {"dusk", 40}})};
-  sweep.steps[0].confidence = {
-      {"flat", "camera", "dusk", 0.02, compare::Interval{0.015, 0.03}, "", 9, 8}};
-  const auto sheet = sweepLightsPlot(sweep, slicesOf(sweep).at(0));
-  ASSERT_TRUE(sheet);
-  EXPECT_THAT(sheet->commands, HasSubstr("$m0l0 << EOD\n1 3\n2 1\nEOD\n"));
-  EXPECT_THAT(sheet->commands, HasSubstr("$m0l1 << EOD\n1 4\n2 2\nEOD\n"));
-  EXPECT_THAT(sheet->commands, HasSubstr("$b0l1 << EOD\n2 1.5 3\nEOD\n"));
-  EXPECT_THAT(svgOf(*sheet), HasSubstr(">dusk</"));
-  sweep.steps = {stepOf({{"noon", 10}}), stepOf({{"noon, radius 1°", 30}})};
-  EXPECT_FALSE(sweepLightsPlot(sweep, slicesOf(sweep).at(0))) << "each at one value alone";
 }
 
 }  // namespace

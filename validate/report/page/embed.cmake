@@ -2,9 +2,8 @@
 
 set(page ${CMAKE_CURRENT_SOURCE_DIR}/page)
 set(page_scripts ${page}/pictures.js ${page}/viewer.js ${page}/controls.js)
-set(plot_scripts ${page}/plots.js)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-  ${page}/report.css ${page}/viewer.html ${page_scripts} ${plot_scripts})
+  ${page}/report.css ${page}/viewer.html ${page_scripts})
 
 # base64_of_hex(RESULT HEX): the bytes that HEX spells, as base64. Six digits make four characters.
 function(base64_of_hex result hex)
@@ -40,20 +39,17 @@ endfunction()
 file(READ ${page}/report.css PAGE_STYLE)
 file(READ ${page}/viewer.html VIEWER_MARKUP)
 
-# join_scripts(NAME FILE…): the files as one script NAME, and its hash as NAME_HASH.
-function(join_scripts name)
-  set(script "(() => {\n'use strict';\n")
-  foreach(file IN LISTS ARGN)
-    file(READ ${file} text)
-    string(APPEND script "${text}\n")
-  endforeach()
-  string(APPEND script "})();\n")
-  string(SHA256 sha256 "${script}")
-  base64_of_hex(hash ${sha256})
-  set(${name} "${script}" PARENT_SCOPE)
-  set(${name}_HASH "${hash}" PARENT_SCOPE)
-endfunction()
-
-join_scripts(VIEWER_SCRIPT ${page_scripts})
-join_scripts(PLOT_SCRIPT ${plot_scripts})
+# The scripts as one, and its hash.
+set(VIEWER_SCRIPT "(() => {
+'use strict';
+")
+foreach(file IN LISTS page_scripts)
+  file(READ ${file} text)
+  string(APPEND VIEWER_SCRIPT "${text}
+")
+endforeach()
+string(APPEND VIEWER_SCRIPT "})();
+")
+string(SHA256 sha256 "${VIEWER_SCRIPT}")
+base64_of_hex(VIEWER_SCRIPT_HASH ${sha256})
 configure_file(${page}/page.cpp.in page.cpp @ONLY)

@@ -6,7 +6,6 @@
 
 #include "report/page/html_figures.h"
 #include "report/page/page.h"
-#include "report/plots/page_svg.h"
 #include "report/tables/formats/html_format.h"
 #include "report/text/names.h"
 #include "report/text/terms_html.h"
@@ -24,23 +23,17 @@ Html verdictTag(study::Verdict verdict) {
 }  // namespace
 
 Html htmlPage(std::string_view title, const Html& header, const Html& main, const Html& script) {
-  const bool hasPlots = main.text().find("<figure class=\"plot") != std::string::npos;
-  Html runs;
-  if (hasPlots || !script.empty()) {
-    runs = html("; script-src{}{}", hasPlots ? html(" {}", plotScriptHash()) : Html(),
-                script.empty() ? Html() : html(" {}", viewerScriptHash()));
-  }
+  const Html runs = script.empty() ? Html() : html("; script-src {}", viewerScriptHash());
   return html(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
       "style-src 'unsafe-inline'{}\">\n"
-      "<title>{} – Gnomon</title>\n<style>\n{}{}{}</style>\n</head>\n<body>\n<header>\n"
+      "<title>{} – Gnomon</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<header>\n"
       "<p class=\"kicker\">Gnomon · how right are the shadows?</p>\n{}</header>\n<main>\n{}{}"
-      "</main>\n{}{}</body>\n</html>\n",
-      runs, title, differenceProperties(), plotProperties(), pageStyle(), header, main,
-      htmlGlossary(header + main), hasPlots ? html("<script>{}</script>\n", plotScript()) : Html(),
+      "</main>\n{}</body>\n</html>\n",
+      runs, title, differenceProperties(), pageStyle(), header, main, htmlGlossary(header + main),
       script.empty() ? Html() : html("<script>{}</script>\n", script));
 }
 
@@ -57,74 +50,20 @@ Html htmlNote(std::string_view text) {
   return text.empty() ? Html() : html("<p class=\"note\">{}</p>\n", text);
 }
 
-namespace {
-
-/// A line and a symbol as the plot draws them, and what they stand for.
-Html legendItem(const LegendItem& item) {
-  Html marks;
-  if (item.dash > 0) {
-    // gnuplot's dashes 1 to 5.
-    constexpr std::array dashes = {"", "5 3", "1.5 3", "5 3 1.5 3", "5 3 1.5 3 1.5 3"};
-    marks += html(
-        "<path stroke=\"currentColor\" stroke-width=\"2\" stroke-dasharray=\"{}\" "
-        "d=\"M0,6 H30\"/>",
-        dashes.at(static_cast<std::size_t>(item.dash - 1) % dashes.size()));
-  }
-  if (item.point > 0) {
-    marks +=
-        html("<use href=\"#gpPt{}\" transform=\"translate(15,6) scale(3.8)\"/>", item.point - 1);
-  }
-  if (marks.empty()) {
-    marks = html("<rect fill=\"currentColor\" x=\"0\" y=\"0\" width=\"30\" height=\"12\"/>");
-  }
-  const Html symbol = html(
-      "<svg class=\"key\" viewBox=\"0 0 30 12\" fill=\"none\" aria-hidden=\"true\" "
-      "style=\"color:var(--plot-{})\">{}</svg>",
-      item.variable, marks);
-  if (!item.isMethod) return html("<li>{}{}</li>", symbol, item.text);
-  return html(
-      "<li><button type=\"button\" data-method=\"{}\" aria-pressed=\"{}\">{}{}</button></li>",
-      item.variable, item.isHighlighted ? "true" : "false", symbol, item.text);
-}
-
-Html legendOf(const PlotSheet& sheet) {
-  Html items;
-  for (const LegendItem& item : sheet.legend) items += legendItem(item);
-  return items.empty() ? Html() : html("<ul class=\"keys\">{}</ul>\n", items);
-}
-
-/// The families that a button brings back: as the plot itself has them.
-Html familiesOf(const PlotSheet& sheet) {
-  std::string text;
-  for (const PlotColour& colour : sheet.colours) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ",", colour.variable, colour.family);
-  }
-  return text.empty() ? Html() : html(" data-families=\"{}\"", text);
-}
-
-}  // namespace
-
 Html htmlPlot(const DrawnPlot& plot) {
-  const bool hasNarrow = !plot.narrowSvg.empty();
-  const Html wide = html("<div class=\"wide{}\"><div class=\"fit\">{}</div></div>\n",
-                         hasNarrow ? "" : " scroll", pageSvg(plot.svg, plot.sheet));
-  const Html narrow = hasNarrow ? html("<div class=\"narrow\"><div class=\"fit\">{}</div></div>\n",
-                                       pageSvg(plot.narrowSvg, plot.narrow))
-                                : Html();
-  const Html values = plot.sheet.table.rows.empty()
-                          ? Html()
-                          : html(
-                                "<details class=\"values\"><summary>The values as a "
-                                "table</summary>\n{}</details>\n",
-                                htmlTable(plot.sheet.table));
-  return html("<figure class=\"plot{}{}\" style=\"{}\"{}>\n{}{}{}{}</figure>\n",
-              hasNarrow ? " two" : "", plot.sheet.isShaded ? " shaded" : "",
-              methodProperties(plot.sheet), familiesOf(plot.sheet), wide, narrow,
-              legendOf(plot.sheet), values);
+  return html(
+      "<figure class=\"plot\"><img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\"></figure>\n",
+      plot.sheet.about, plot.sheet.width, plot.sheet.height,
+      pictureAddress("image/svg+xml", plot.svg));
 }
 
-Html htmlSymbols(std::span<const DrawnPlot> plots) {
-  return plots.empty() ? Html() : plotSymbols(plots.front().svg);
+Html htmlPlots(std::span<const DrawnPlot> plots, std::string_view section) {
+  Html content;
+  for (const DrawnPlot& plot : plots) {
+    if (plot.sheet.section != section) continue;
+    content += html("<h3>{}</h3>\n{}", plot.sheet.title, htmlPlot(plot));
+  }
+  return content;
 }
 
 Html htmlFact(std::string_view term, std::string_view text) {

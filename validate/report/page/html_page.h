@@ -28,19 +28,18 @@ Html htmlSection(std::string_view id, std::string_view title, const Html& conten
 /// A paragraph in small letters; nothing, if there is no text.
 Html htmlNote(std::string_view text);
 
-/// A plot inside the page: drawn for wide screens and, where there is such a drawing, for narrow
-/// ones, with its legend, in which a reader highlights methods, and its values as a table.
+/// A plot as gnuplot has drawn it.
 Html htmlPlot(const DrawnPlot& plot);
 
-/// How the plots of a page are read: what their colours mean and what a reader can do.
-constexpr std::string_view plotReading =
-    "A colour stands for a family of methods, a symbol for a method; both are the same in every "
-    "report. At most eight methods are highlighted: the flat horizon map, the method of the first "
-    "claim, and the best others. The rest are grey. Press a name below a plot to highlight it or "
-    "not. Point at a symbol, or use the arrow keys, to read its value.";
+/// The plots of a section of a page, each under its title.
+Html htmlPlots(std::span<const DrawnPlot> plots, std::string_view section);
 
-/// The shapes that the plots of a page are drawn with, once a page; nothing without a plot.
-Html htmlSymbols(std::span<const DrawnPlot> plots);
+/// Which methods the plots of a page show, and what their colours mean.
+constexpr std::string_view plotReading =
+    "A plot shows at most eight methods: the flat horizon map, the method of the first claim, and "
+    "the best others by error, of a method with several entries the best one first. A colour "
+    "stands "
+    "for a family of methods, a symbol for a method; both are the same in every report.";
 
 /// A term and what it is, for a list <dl>; nothing, if there is no text.
 Html htmlFact(std::string_view term, std::string_view text);

@@ -6,10 +6,10 @@
 #include <optional>
 #include <set>
 
-#include "report/highlights.h"
 #include "report/page/html_figures.h"
 #include "report/page/html_page.h"
 #include "report/page/reference_html.h"
+#include "report/plotted_methods.h"
 #include "report/tables/cost_table.h"
 #include "report/text/confidence_text.h"
 #include "report/text/number_text.h"

@@ -18,8 +18,4 @@ Html viewerScript();
 /// The script's SHA-256 as a content policy names it: 'sha256-…'.
 Html viewerScriptHash();
 
-/// The script of the plots: values under the pointer, and which methods are highlighted.
-Html plotScript();
-Html plotScriptHash();
-
 }  // namespace gnomon::report

@@ -53,16 +53,6 @@ Html thresholdSection(const study::StudyRecord& record) {
   return htmlSection("thresholds", "Thresholds", htmlTable(gateTable(thresholds)));
 }
 
-/// The plots of a section of the page, each under its title.
-Html plotsOf(std::span<const DrawnPlot> plots, std::string_view section) {
-  Html content;
-  for (const DrawnPlot& plot : plots) {
-    if (plot.sheet.section != section) continue;
-    content += html("<h3>{}</h3>\n{}", plot.sheet.title, htmlPlot(plot));
-  }
-  return content;
-}
-
 Html costSection(const study::StudyRecord& record, std::span<const DrawnPlot> plots) {
   if (record.cost.empty()) return {};
   const std::string rates = publishedRates(record);
@@ -71,7 +61,7 @@ Html costSection(const study::StudyRecord& record, std::span<const DrawnPlot> pl
       htmlNote("One frame of the first camera view, drawn on this machine. Times compare methods "
                "here; another graphics card has others.") +
           htmlTable(costTable(record)) + htmlNote(keptFrames(record)) +
-          (rates.empty() ? Html() : html("<p>{}</p>\n", rates)) + plotsOf(plots, "cost"));
+          (rates.empty() ? Html() : html("<p>{}</p>\n", rates)) + htmlPlots(plots, "cost"));
 }
 
 std::string bytesText(std::uint64_t bytes) {
@@ -139,7 +129,7 @@ Html reproduceSection(const study::StudyRecord& record) {
 }
 
 Html plotSection(std::span<const DrawnPlot> plots) {
-  const Html content = plotsOf(plots, "plots");
+  const Html content = htmlPlots(plots, "plots");
   if (content.empty()) return {};
   return htmlSection(
       "plots", "Where the error grows",
@@ -161,16 +151,12 @@ Html confidenceSection(const study::StudyRecord& record) {
   return htmlSection("confidence", "How sure the error rates are", content);
 }
 
-Html budgetSection(const study::StudyRecord& record, std::span<const DrawnPlot> plots) {
+Html budgetSection(const study::StudyRecord& record) {
   if (record.budgets.empty()) return {};
-  std::vector<const DrawnPlot*> own;  // one a light
-  for (const DrawnPlot& plot : plots) {
-    if (plot.sheet.section == "budget") own.push_back(&plot);
-  }
   Html content = htmlNote(budgetNote(record.budgets.front(), study::isSoft(record)));
   const std::vector<std::string> lights = budgetLights(record);
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    Html part = i < own.size() ? htmlPlot(*own[i]) : Html();
+    Html part;
     for (const study::BudgetRecord& budget : budgetsOf(record, lights[i])) {
       part +=
           html("<h3>{}</h3>\n{}{}", budget.method,
@@ -188,12 +174,11 @@ Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& f
   const bool hasPictures = holdsPictures(record, folder);
   Html claims;
   for (const study::ClaimRecord& claim : record.claims) claims += htmlClaim(claim);
-  Html main = htmlSymbols(plots) + htmlClaims(claims) + rankingSection(record, ranked) +
-              thresholdSection(record) + referenceSection(record, folder) +
-              (hasPictures ? viewerMarkup() : Html());
+  Html main = htmlClaims(claims) + rankingSection(record, ranked) + thresholdSection(record) +
+              referenceSection(record, folder) + (hasPictures ? viewerMarkup() : Html());
   main += caseSections(record, ranked, folder);
   main += worstSection(record, ranked);
-  main += confidenceSection(record) + plotSection(plots) + budgetSection(record, plots) +
+  main += confidenceSection(record) + plotSection(plots) + budgetSection(record) +
           costSection(record, plots) + truthSection(record) + citations(record.methods) +
           timingSection(record.timings) + reproduceSection(record);
   return htmlPage(record.heading(), openingHtml(record, ranked), main,

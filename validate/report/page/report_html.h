@@ -29,6 +29,6 @@ Html confidenceSection(const study::StudyRecord& record);
 /// Its section "Where the error comes from": the plots and tables of the study's error budgets, all
 /// lights together, then folded away each light; nothing, if it has none.
 /// @param plots  of the run; those of other sections are passed over
-Html budgetSection(const study::StudyRecord& record, std::span<const DrawnPlot> plots);
+Html budgetSection(const study::StudyRecord& record);
 
 }  // namespace gnomon::report

@@ -98,23 +98,9 @@ Html failedThresholds(const study::SweepRecord& sweep) {
   return htmlSection("thresholds", "Thresholds that failed", content);
 }
 
-/// The plots of a section of the page, each under its title; the page's only one of errors without.
-Html plotsOf(const std::vector<DrawnPlot>& plots, std::string_view section) {
-  const auto isHere = [&](const DrawnPlot& plot) { return plot.sheet.section == section; };
-  const auto count = std::count_if(plots.begin(), plots.end(), isHere);
-  Html content;
-  for (const DrawnPlot& plot : plots) {
-    if (!isHere(plot)) continue;
-    if (count > 1 || section != sweepErrorSection)
-      content += html("<h3>{}</h3>\n", plot.sheet.title);
-    content += htmlPlot(plot);
-  }
-  return content;
-}
-
 /// The plots, or why there are none.
 Html errorPlots(const study::SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
-  const Html drawn = plotsOf(plots, sweepErrorSection);
+  const Html drawn = htmlPlots(plots, sweepErrorSection);
   if (drawn.text().empty()) {
     return html(
         "<p class=\"note\">No plot can show these {}: they vary too many settings at once. "
@@ -154,9 +140,8 @@ Html sweepHtml(const study::SweepRecord& sweep, const std::vector<DrawnPlot>& pl
                           htmlFact("With the options, in this folder", sweep.copy));
   return htmlPage(
       sweep.heading(), sweepHeader(sweep),
-      htmlSymbols(plots) + htmlSection("plot", plotHeading(sweep), errorPlots(sweep, plots)) +
-          htmlSection("lights", "Light by light", plotsOf(plots, sweepLightsSection)) +
-          htmlSection("cost", "What the values cost", plotsOf(plots, sweepCostSection)) +
+      htmlSection("plot", plotHeading(sweep), errorPlots(sweep, plots)) +
+          htmlSection("cost", "What the values cost", htmlPlots(plots, sweepCostSection)) +
           htmlSection("values", sweep.keys.size() == 1 ? "Error by value" : "Error by case",
                       values) +
           htmlClaims(claims) + failedThresholds(sweep) + faultyReferences(sweep) +

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "image/web_picture.h"
-#include "report/highlights.h"
 #include "report/page/html_page.h"
+#include "report/plotted_methods.h"
 #include "report/text/number_text.h"
 #include "study/record/cases.h"
 #include "study/run/stages/worst_places.h"
@@ -73,7 +73,7 @@ Html methodHtml(const study::StudyRecord& record, const std::string& method) {
 
 Html worstSection(const study::StudyRecord& record,
                   const std::vector<study::RankedMethod>& ranked) {
-  const std::vector<std::string> methods = highlights(study::studyMeans(record));
+  const std::vector<std::string> methods = plottedMethods(study::studyMeans(record));
   Html content;
   for (const std::string& method : methods) content += methodHtml(record, method);
   if (content.empty()) return {};
@@ -85,7 +85,7 @@ Html worstSection(const study::StudyRecord& record,
            "shown as a mask: white is lit.{}</p>\n{}",
            study::mostWorstPlaces, study::worstPlaceSide, study::worstPlaceSide,
            methods.size() < ranked.size()
-               ? fmt::format(" These are the {} of {} methods that the plots highlight.",
+               ? fmt::format(" These are the {} of {} methods that the plots show.",
                              methods.size(), ranked.size())
                : "",
            content));

@@ -10,7 +10,7 @@ namespace gnomon::report {
 
 /// The section of the places where methods err most: of each method those that its picture records,
 /// in the view and under the light where its error is largest, each beside the truth. The methods
-/// are the `highlights`. Nothing without an error.
+/// are the `plottedMethods`. Nothing without an error.
 Html worstSection(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked);
 
 }  // namespace gnomon::report

@@ -26,10 +26,8 @@ bool holdsAny(const Rows& methods, const std::vector<std::string>& labels) {
 constexpr auto methodIn = [](const auto& row) { return row.method; };
 constexpr auto labelIn = [](const auto& row) { return row.label; };
 
-}  // namespace
-
-study::StudyRecord withMethods(const study::StudyRecord& record,
-                               const std::vector<std::string>& labels) {
+study::StudyRecord ofMethods(const study::StudyRecord& record,
+                             const std::vector<std::string>& labels) {
   study::StudyRecord kept;
   kept.name = record.name;
   kept.title = record.title;
@@ -42,12 +40,11 @@ study::StudyRecord withMethods(const study::StudyRecord& record,
   kept.methods = rowsOf(record.methods, shown, labelIn);
   kept.results = rowsOf(record.results, shown, methodIn);
   kept.confidence = rowsOf(record.confidence, shown, methodIn);
-  kept.bins = rowsOf(record.bins, shown, methodIn);
   kept.cost = rowsOf(record.cost, shown, methodIn);
-  kept.claims = record.claims;
-  kept.budgets = rowsOf(record.budgets, shown, methodIn);
   return kept;
 }
+
+}  // namespace
 
 study::SweepRecord withMethods(const study::SweepRecord& sweep,
                                const std::vector<std::string>& labels) {
@@ -58,17 +55,9 @@ study::SweepRecord withMethods(const study::SweepRecord& sweep,
   kept.cases = sweep.cases;
   kept.hasStepReports = sweep.hasStepReports;
   for (const study::StudyRecord& step : sweep.steps) {
-    kept.steps.push_back(withMethods(step, labels));
+    kept.steps.push_back(ofMethods(step, labels));
   }
   return kept;
-}
-
-study::SuiteStatistics withMethods(study::SuiteStatistics statistics,
-                                   const std::vector<std::string>& labels) {
-  if (!holdsAny(statistics.methods, labels)) return statistics;
-  statistics.methods = rowsOf(statistics.methods, labels, labelIn);
-  statistics.bins = rowsOf(statistics.bins, labels, methodIn);
-  return statistics;
 }
 
 }  // namespace gnomon::report

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "report/highlights.h"
 #include "report/paper/chosen_methods.h"
 #include "report/paper/numbers_tex.h"
 #include "report/paper/paper_plot.h"
 #include "report/paper/paper_table.h"
 #include "report/plots/study_plots.h"
 #include "report/plots/sweep_plots.h"
+#include "report/plotted_methods.h"
 #include "report/suite/suite_plots.h"
 #include "report/suite/suite_tables.h"
 #include "report/tables/ranked_table.h"
@@ -21,24 +21,13 @@
 namespace gnomon::report {
 namespace {
 
-/// The chosen methods; without a choice those that plots highlight.
-template <typename Study>
-std::vector<std::string> figureMethods(const PaperOptions& options, const Study& study) {
-  return options.methods.empty() ? highlights(study) : options.methods;
-}
-
 /// figures/column/NAME.pdf, and likewise of a page.
-void writeFigures(const std::vector<PlotSheet>& sheets, const PaperOptions& options,
+void writeFigures(const std::vector<LinePlot>& plots, const PaperOptions& options,
                   RunFolder& folder) {
   for (const PaperWidth width : options.widths) {
-    std::vector<PaperFigure> figures;
-    for (const PlotSheet& sheet : sheets) {
-      if (auto figure = paperFigure(sheet, width, options.fontSize)) figures.push_back(*figure);
-    }
-    const std::vector<std::string> pdfs = paperPdfs(figures);
-    for (std::size_t i = 0; i < figures.size(); ++i) {
-      folder.write(fmt::format("figures/{}/{}.pdf", paperWidthName(width), figures[i].name),
-                   pdfs[i]);
+    const std::vector<std::string> pdfs = paperPdfs(plots, width, options.fontSize);
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+      folder.write(fmt::format("figures/{}/{}.pdf", paperWidthName(width), plots[i].name), pdfs[i]);
     }
   }
 }
@@ -70,8 +59,8 @@ void writePaperFiles(const study::StudyRecord& record, const PaperOptions& optio
       "", options, [&](const TabularRoom&) { return table; }, folder);
   folder.write("numbers.tex", numbersTex(record, ranked));
   if (options.widths.empty()) return;
-  const auto labels = figureMethods(options, study::studyMeans(record));
-  writeFigures(studyPlots(withMethods(record, labels), PlotPlace::paper), options, folder);
+  const auto shown = plottedMethods(study::studyMeans(record), options.methods);
+  writeFigures(studyPlots(record, shown), options, folder);
 }
 
 void writePaperFiles(const study::SweepRecord& sweep, const PaperOptions& options,
@@ -81,20 +70,20 @@ void writePaperFiles(const study::SweepRecord& sweep, const PaperOptions& option
       "", options, [&](const TabularRoom& room) { return sweepPaperTable(chosen, room); }, folder);
   folder.write("numbers.tex", numbersTex(sweep));
   if (options.widths.empty()) return;
-  const auto labels = figureMethods(options, study::studyMeans(sweep));
-  writeFigures(sweepPlots(withMethods(sweep, labels), PlotPlace::paper), options, folder);
+  const auto shown = plottedMethods(study::studyMeans(sweep), options.methods);
+  writeFigures(sweepPlots(sweep, shown), options, folder);
 }
 
 void writePaperFiles(const study::SuiteStatistics& statistics, const PaperOptions& options,
                      RunFolder& folder) {
-  const study::SuiteStatistics chosen = withMethods(statistics, options.methods);
-  Table table = withColumns(suiteRankedTable(chosen), options.columns);
+  Table table =
+      withRows(withColumns(suiteRankedTable(statistics), options.columns), options.methods);
   writeTables(
       "suite-", options, [&](const TabularRoom&) { return table; }, folder);
   folder.write("suite-numbers.tex", numbersTex(statistics));
   if (options.widths.empty()) return;
-  const auto labels = figureMethods(options, statistics);
-  writeFigures(suitePlots(withMethods(statistics, labels), PlotPlace::paper), options, folder);
+  writeFigures(suitePlots(statistics, plottedMethods(statistics, options.methods)), options,
+               folder);
 }
 
 }  // namespace gnomon::report

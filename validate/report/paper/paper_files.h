@@ -12,7 +12,7 @@ namespace gnomon::report {
 /// latexTabular), and numbers.tex (see numbersTex); where figures are wanted,
 /// figures/column/NAME.pdf (see paperFigure), and of a page likewise, with table-page.tex.
 /// They show the chosen methods; without a choice the tables show all of them, the figures those
-/// that plots highlight.
+/// that plots show.
 /// @throws InputError for a file that cannot be written; InternalError as the writers
 
 void writePaperFiles(const study::StudyRecord& record, const PaperOptions& options,

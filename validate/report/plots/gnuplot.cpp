@@ -131,7 +131,7 @@ std::string gnuplotText(const std::string& text) {
   return quoted + "'";
 }
 
-std::string cleanSvg(const std::string& svg, const std::string& title) {
+std::string styledSvg(const std::string& svg, const std::string& title, const std::string& style) {
   const std::string begin = "<title>";
   const std::string end = "</desc>";
   const std::size_t from = svg.find(begin);
@@ -139,8 +139,8 @@ std::string cleanSvg(const std::string& svg, const std::string& title) {
   if (from == std::string::npos || to == std::string::npos || to < from) {
     failAsGnuplot("its SVG has no title and description");
   }
-  std::string clean = svg.substr(0, from) + "<title>" + escapeHtml(title).text() + "</title>" +
-                      svg.substr(to + end.size());
+  std::string clean = svg.substr(0, from) + "<title>" + escapeHtml(title).text() +
+                      "</title><style>" + style + "</style>" + svg.substr(to + end.size());
   // gnuplot writes a label's > as it is, which XML does not take behind ]].
   constexpr std::string_view sign = "]]>";
   for (std::size_t at = 0; (at = clean.find(sign, at)) != std::string::npos;) {

@@ -43,9 +43,9 @@ const std::string& gnuplotVersion();
 /// that becomes ’, and the rest is `oneLine`.
 std::string gnuplotText(const std::string& text);
 
-/// An SVG of gnuplot's as a document of its own: with the title given, and without the line that
-/// names gnuplot's version, so that the same plot has the same bytes. Well-formed whatever labels
-/// hold.
-std::string cleanSvg(const std::string& svg, const std::string& title);
+/// An SVG of gnuplot's as a document of its own: with the title and the style sheet given, and
+/// without the line that names gnuplot's version, so that the same plot has the same bytes.
+/// Well-formed whatever labels hold.
+std::string styledSvg(const std::string& svg, const std::string& title, const std::string& style);
 
 }  // namespace gnomon::report

@@ -1,17 +1,24 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "report/plots/plot_sheet.h"
+#include "report/plots/line_plot.h"
 #include "study/record/record.h"
 
 namespace gnomon::report {
 
-/// All plots of a study: error against memory, where there is something to trade; error by the bins
-/// of every axis in every view; the error budgets of all lights together and of each of several.
-/// Names are distinct.
-/// @throws InternalError as the plots
-std::vector<PlotSheet> studyPlots(const study::StudyRecord& record,
-                                  PlotPlace place = PlotPlace::paper);
+/// The plots of a study:
+///   error-by-AXIS_VIEW  error rates in the bins of an axis of samples, all lights together, with
+///                       the truth's uncertainty; none of one bin alone. A method without samples
+///                       in a bin has a gap there.
+///   frontier            error against the memory of tables and height map, both logarithmic, a
+///                       point an entry, the efficient ones of all entries joined by steps
+///   frontier_time       likewise against the time of a frame
+/// Of the frontiers a method has all its entries, and the style of the one that is shown.
+/// @param shown  labels of the methods that are drawn, in the order of the legend (plottedMethods)
+/// @throws InternalError for a number that is not finite
+std::vector<LinePlot> studyPlots(const study::StudyRecord& record,
+                                 const std::vector<std::string>& shown);
 
 }  // namespace gnomon::report

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "report/plots/gnuplot.h"
-#include "report/plots/plot_style.h"
-#include "report/text/number_text.h"
+#include "report/plots/line_plot.h"
+#include "report/text/text_width.h"
 
 namespace gnomon::report {
 namespace {
@@ -108,17 +108,6 @@ SweepSlice sliceOf(const Dimension& axis, std::vector<std::size_t> cases) {
   return slice;
 }
 
-/// The labels of a dimension's places, in increasing order.
-std::vector<std::string> labelsOf(const Dimension& dimension) {
-  std::vector<std::string> labels;
-  for (const double place : dimension.places()) {
-    labels.push_back(dimension.categories.empty()
-                         ? fmt::format("{:.3g}", place)
-                         : dimension.categories.at(static_cast<std::size_t>(place)));
-  }
-  return labels;
-}
-
 }  // namespace
 
 std::vector<SweepSlice> slicesOf(const study::SweepRecord& sweep) {
@@ -145,57 +134,19 @@ std::vector<SweepSlice> slicesOf(const study::SweepRecord& sweep) {
   return slices;
 }
 
-bool isGrid(const study::SweepRecord& sweep) {
-  const std::vector<Dimension> dimensions = dimensionsOf(sweep);
-  return dimensions.size() == 2 &&
-         std::all_of(dimensions.begin(), dimensions.end(), [](const Dimension& dimension) {
-           return dimension.places().size() > mostSlices;
-         });
-}
-
-SweepGrid gridOf(const study::SweepRecord& sweep) {
-  const std::vector<Dimension> dimensions = dimensionsOf(sweep);
-  const Dimension& across = dimensions.at(0);
-  const Dimension& up = dimensions.at(1);
-  SweepGrid grid{across.axis, up.axis, labelsOf(across), labelsOf(up), {}};
-  const std::set<double> columns = across.places();
-  const std::set<double> rows = up.places();
-  grid.cases.resize(columns.size() * rows.size());
-  for (std::size_t i = 0; i < sweep.cases.size(); ++i) {
-    const auto placeIn = [](const std::set<double>& places, double place) {
-      return static_cast<std::size_t>(std::distance(places.begin(), places.find(place)));
-    };
-    const std::size_t row = placeIn(rows, up.positions[i]);
-    grid.cases[row * columns.size() + placeIn(columns, across.positions[i])] = i;
-  }
-  return grid;
-}
-
-std::string placeText(const SweepSlice& slice, std::size_t i) {
-  return slice.categories.empty()
-             ? exactText(slice.positions[i])
-             : slice.categories.at(static_cast<std::size_t>(slice.positions[i]));
-}
-
-std::string valueText(const SweepSlice& slice, std::size_t i) {
-  return fmt::format("{} {}", slice.axis, placeText(slice, i));
-}
-
 std::string axisCommands(const SweepSlice& slice) {
-  if (!slice.categories.empty()) return categoryTics("xtics", slice.categories);
+  if (!slice.categories.empty()) {
+    constexpr std::size_t mostLabels = 9;
+    const std::size_t step = (slice.categories.size() + mostLabels - 1) / mostLabels;
+    std::string tics;
+    for (std::size_t i = 0; i < slice.categories.size(); i += step) {
+      tics += fmt::format("{}{} {}", tics.empty() ? "" : ", ", gnuplotText(slice.categories[i]), i);
+    }
+    return "set xtics (" + tics + ")\n";
+  }
   // Up to the values, not to the next tic: a radius of 0 has nothing below it.
   return std::string("set autoscale xfix\n") +
          (isGeometric(slice.positions) ? "set logscale x\n" : "");
-}
-
-std::string categoryTics(const char* axis, const std::vector<std::string>& labels) {
-  constexpr std::size_t mostLabels = 9;
-  const std::size_t step = (labels.size() + mostLabels - 1) / mostLabels;
-  std::string tics;
-  for (std::size_t i = 0; i < labels.size(); i += step) {
-    tics += fmt::format("{}{} {}", tics.empty() ? "" : ", ", gnuplotText(labels[i]), i);
-  }
-  return fmt::format("set {} ({})\n", axis, tics);
 }
 
 }  // namespace gnomon::report

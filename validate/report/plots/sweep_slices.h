@@ -28,27 +28,10 @@ constexpr std::size_t mostSlices = 8;
 /// otherwise.
 std::vector<SweepSlice> slicesOf(const study::SweepRecord& sweep);
 
-/// A sweep over a grid of two dimensions, each with more than mostSlices values: neither is drawn.
-struct SweepGrid {
-  std::string acrossAxis, upAxis;
-  std::vector<std::string> across, up;  ///< the values in increasing order, three digits
-  /// The case of each place, row by row from the bottom.
-  std::vector<std::size_t> cases;
-};
-bool isGrid(const study::SweepRecord& sweep);
-/// @param sweep  one for which isGrid
-SweepGrid gridOf(const study::SweepRecord& sweep);
-
-/// The i-th place of a slice's axis, "16"; and as a sentence has it, "azimuths 16".
-std::string placeText(const SweepSlice& slice, std::size_t i);
-std::string valueText(const SweepSlice& slice, std::size_t i);
-
-/// The slice's axis across a plot: its labels where its values are no numbers, logarithmic where
+/// gnuplot's commands of the slice's axis: its labels where its values are no numbers, of many only
+/// some; logarithmic where
 /// each of four or more is the same multiple of the one before, to a hundredth. It ends at the
 /// first and the last value, but for the plot's own offsets.
 std::string axisCommands(const SweepSlice& slice);
-
-/// "set xtics (…)" for labels at 0, 1, …, of many only some.
-std::string categoryTics(const char* axis, const std::vector<std::string>& labels);
 
 }  // namespace gnomon::report

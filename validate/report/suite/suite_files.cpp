@@ -2,10 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <utility>
 #include <vector>
 
 #include "report/paper/paper_files.h"
-#include "report/plots/drawn_plots.h"
+#include "report/plotted_methods.h"
 #include "report/suite/suite_html.h"
 #include "report/suite/suite_json.h"
 #include "report/suite/suite_plots.h"
@@ -29,10 +30,15 @@ void writeSuiteFiles(const study::SuiteStatistics& statistics,
                      const PaperOptions& paper, RunFolder& folder) {
   writeTables(statistics, studies, folder);
   writePaperFiles(statistics, paper, folder);
-  const DrawnPlots plots =
-      drawPlots([&](PlotPlace place) { return suitePlots(statistics, place); }, nullptr);
-  for (const DrawnPlots::File& file : plots.paper) folder.write(file.name, file.bytes);
-  folder.write("suite.html", suiteHtml(statistics, plots.page, command).text());
+  std::vector<PlotSheet> sheets = sheetsOf(suitePlots(statistics, plottedMethods(statistics)));
+  const bool isRanked = !statistics.methods.empty() && statistics.methods.front().rank;
+  if (isRanked) sheets.push_back(suiteWinsPlot(statistics));
+  const std::vector<DrawnPlot> plots = drawPlots(std::move(sheets), nullptr);
+  for (const DrawnPlot& plot : plots) {
+    folder.write(fmt::format("plots/{}.svg", plot.sheet.name), plot.svg);
+    folder.write(fmt::format("plots/{}.pdf", plot.sheet.name), plot.pdf);
+  }
+  folder.write("suite.html", suiteHtml(statistics, plots, command).text());
 }
 
 bool writeSuiteOf(std::span<const study::StudyMeans> studies, std::string_view command,

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "report/page/html_page.h"
-#include "report/plots/bin_plot.h"
+#include "report/plots/line_plot.h"
 #include "report/suite/suite_tables.h"
 #include "report/tables/formats/html_format.h"
 #include "report/text/interval_text.h"
@@ -61,14 +61,6 @@ Html header(const study::SuiteStatistics& statistics) {
       plural(statistics.table.scenes.size(), "scene"), figureText(statistics), bestOf(statistics));
 }
 
-/// The plot of that name; nothing where there is none.
-Html plotOf(const std::vector<DrawnPlot>& plots, std::string_view name) {
-  for (const DrawnPlot& plot : plots) {
-    if (plot.sheet.name == name) return htmlPlot(plot);
-  }
-  return {};
-}
-
 /// A note and what it is about; nothing without that.
 Html noted(const Html& note, const Html& content) {
   return content.empty() ? Html() : html("<p class=\"note\">{}</p>\n{}", note, content);
@@ -104,7 +96,7 @@ Html winsSection(const std::vector<DrawnPlot>& plots) {
                  "than that of the column on a new scene. Blue above 50, orange below it; "
                  "no colour where the two are not known to differ: ≈ not distinguishable, = the "
                  "same answers, ? no interval."),
-            plotOf(plots, "suite-wins")));
+            htmlPlots(plots, "wins")));
 }
 
 Html binsSection(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots) {
@@ -118,9 +110,8 @@ Html binsSection(const study::SuiteStatistics& statistics, const std::vector<Dra
       noted(
           html("Error among the samples of all scenes that lie in a bin, each scene with the same "
                "weight. Bars are 95&#8239;% intervals over the scenes; errors below "
-               "0.01&#8239;% are drawn at 0.01&#8239;%. The plot has the highlighted methods, the "
-               "tables have all."),
-          plotOf(plots, "suite-bins") +
+               "0.01&#8239;% are drawn at 0.01&#8239;%. The tables have all methods."),
+          htmlPlots(plots, "bins") +
               html("<details>\n<summary>All methods</summary>\n{}</details>\n", tables)));
 }
 
@@ -144,9 +135,9 @@ Html suiteHtml(const study::SuiteStatistics& statistics, const std::vector<Drawn
                  "100&#8239;% at the method’s worst scene. Errors below 0.01&#8239;% are drawn at "
                  "0.01&#8239;%. {}",
                  plotReading),
-            plotOf(plots, "suite-errors")));
+            htmlPlots(plots, "plots")));
   return htmlPage(statistics.suite, header(statistics),
-                  htmlSymbols(plots) + rankedSection(statistics) + curves + winsSection(plots) +
+                  rankedSection(statistics) + curves + winsSection(plots) +
                       leaderSection(statistics) + binsSection(statistics, plots) +
                       hardSection(statistics) + htmlReproduction(command));
 }

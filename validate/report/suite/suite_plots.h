@@ -1,33 +1,28 @@
 #pragma once
 
-#include <optional>
+#include <string>
 #include <vector>
 
-#include "report/plots/plot_sheet.h"
+#include "report/plots/line_plot.h"
 #include "study/judge/suite/suite_statistics.h"
 
 namespace gnomon::report {
 
-/// Errors over the scenes, a curve a method: at every error, on a logarithmic axis, the share of
-/// the method's scenes with no more than that. Errors below the left end stand at it.
+/// The plots of a suite:
+///   suite-errors     the share of a method's scenes with no more than an error, at every error on
+///   a
+///                    logarithmic axis. Errors below the left end stand at it.
+///   suite-bins_AXIS  error in the bins of κh, of the light's elevation, of the reach of shadows
+///                    and of the stretch of the texture, each bin with its interval over the
+///                    scenes; none of an axis without bins
+/// @param shown  labels of the methods that are drawn, in the order of the legend (plottedMethods)
 /// @throws InternalError for a number that is not finite
-PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics,
-                          PlotPlace place = PlotPlace::paper);
+std::vector<LinePlot> suitePlots(const study::SuiteStatistics& statistics,
+                                 const std::vector<std::string>& shown);
 
 /// The methods with a rank, each against each: the probability that the row's has the smaller error
 /// on a new scene, in percent; blue above 50, orange below it. A pair that is not known to differ
 /// has no colour, a grey figure and its differenceSign.
-PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics,
-                        PlotPlace place = PlotPlace::paper);
-
-/// Error against the light's elevation, κh, the reach of shadows and the stretch of the texture: a
-/// panel each, with the highlighted methods that have a rank, each bin with its interval
-/// over the scenes. None where no method has bins there.
-std::optional<PlotSheet> suiteBinsPlot(const study::SuiteStatistics& statistics,
-                                       PlotPlace place = PlotPlace::paper);
-
-/// All of them that can be drawn.
-std::vector<PlotSheet> suitePlots(const study::SuiteStatistics& statistics,
-                                  PlotPlace place = PlotPlace::paper);
+PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics);
 
 }  // namespace gnomon::report

@@ -29,17 +29,8 @@ void markEfficient(std::vector<FrontierPoint>& points) {
 
 /// None where the method has no such cost.
 std::optional<double> priceOf(const study::CostRecord& cost, Price price) {
-  const auto value = [&]() -> double {
-    switch (price) {
-      case Price::memory:
-        return static_cast<double>(memoryBytes(cost));
-      case Price::frameTime:
-        return cost.frameMs.value_or(0);
-      case Price::texels:
-        return cost.texels.value_or(0);
-    }
-    return 0;
-  }();
+  const double value =
+      price == Price::memory ? static_cast<double>(memoryBytes(cost)) : cost.frameMs.value_or(0);
   return value > 0 ? std::optional(value) : std::nullopt;
 }
 

@@ -12,14 +12,13 @@ namespace gnomon::report {
 enum class Price {
   memory,     ///< bytes of the tables, and of the height map where the method reads it
   frameTime,  ///< of a frame with all its passes, milliseconds
-  texels,     ///< that the answer of a sample reads: the same on every machine
 };
 
 /// One method entry's price and mean error.
 struct FrontierPoint {
   std::string label;
   std::string name;        ///< the method's own: entries of one name are one series
-  double price = 0;        ///< bytes, milliseconds or texels
+  double price = 0;        ///< bytes or milliseconds
   double errorRate = 0;    ///< mean over lights and views, share of the samples
   bool efficient = false;  ///< no other entry has as low a price and as small an error
 };

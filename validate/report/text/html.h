@@ -9,7 +9,6 @@
 namespace gnomon::report {
 
 class Html;
-struct PlotSheet;
 
 /// What a value becomes in HTML: a number stays one, HTML its text, any other text is escaped.
 template <typename T>
@@ -47,9 +46,6 @@ class Html {
   friend Html escapeHtml(std::string_view text);
   friend Html htmlLiteral(HtmlLiteral literal);
   friend Html pictureAddress(std::string_view type, const std::string& bytes);
-  friend Html pageSvg(const std::string& svg, const PlotSheet& sheet);
-  friend Html plotSymbols(const std::string& svg);
-  friend Html plotProperties();
   template <typename... Args>
   friend Html html(fmt::format_string<HtmlPart<Args>...> pattern, const Args&... args);
 

@@ -23,17 +23,20 @@ std::optional<std::string> labelOf(std::span<const study::MethodMeans> methods,
 std::optional<std::string> claimedMethod(std::span<const study::MethodMeans> methods,
                                          std::span<const study::ClaimRecord> claims);
 
-/// The most methods that a plot draws in their colours.
-constexpr std::size_t mostHighlights = 8;
+/// The most methods that a plot shows.
+constexpr std::size_t mostPlotted = 8;
 
-/// The methods that plots draw in their own colours and of which a page shows the worst places,
-/// in the order of the ranking: the flat horizon map (`costReference`), the method that the first
-/// claim is about, and the first of the ranking, `mostHighlights` in all; of a method with several
-/// entries the best one, and more where there is room. Plots draw the others in grey.
-/// @param study  of a run or a sweep
-std::vector<std::string> highlights(const study::StudyMeans& study);
+/// The methods that plots show and of which a page shows the worst places, in the order of the
+/// ranking: the flat horizon map (`costReference`), the method that the first claim is about, and
+/// the first of the ranking, `mostPlotted` in all; of a method with several entries the best one,
+/// and more where there is room.
+/// @param study   of a run or a sweep
+/// @param chosen  labels that are shown instead, in their order, where the study has any of them
+std::vector<std::string> plottedMethods(const study::StudyMeans& study,
+                                        const std::vector<std::string>& chosen = {});
 
 /// Likewise of a suite, whose ranking is over its scenes and which claims nothing.
-std::vector<std::string> highlights(const study::SuiteStatistics& statistics);
+std::vector<std::string> plottedMethods(const study::SuiteStatistics& statistics,
+                                        const std::vector<std::string>& chosen = {});
 
 }  // namespace gnomon::report

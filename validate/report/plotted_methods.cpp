@@ -1,4 +1,4 @@
-#include "report/highlights.h"
+#include "report/plotted_methods.h"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ std::vector<std::string> choose(const std::vector<Ranked>& ranked,
   const std::size_t given = chosen.size();
   for (const bool isNew : {true, false}) {
     for (const Ranked& entry : ranked) {
-      if (chosen.size() >= std::max(mostHighlights, given)) break;
+      if (chosen.size() >= std::max(mostPlotted, given)) break;
       if (isNew && contains(names, entry.name)) continue;
       appendOnce(chosen, entry.label);
       appendOnce(names, entry.name);
@@ -43,6 +43,19 @@ std::vector<std::string> choose(const std::vector<Ranked>& ranked,
     if (contains(chosen, entry.label)) ordered.push_back(entry.label);
   }
   return ordered;
+}
+
+/// The labels that a report has a method of.
+template <typename Method>
+std::vector<std::string> amongOwn(const std::vector<std::string>& labels,
+                                  const std::vector<Method>& methods) {
+  std::vector<std::string> own;
+  for (const std::string& label : labels) {
+    const bool isOwn = std::any_of(methods.begin(), methods.end(),
+                                   [&](const Method& method) { return method.label == label; });
+    if (isOwn) own.push_back(label);
+  }
+  return own;
 }
 
 }  // namespace
@@ -69,7 +82,9 @@ std::optional<std::string> claimedMethod(std::span<const study::MethodMeans> met
   return std::nullopt;
 }
 
-std::vector<std::string> highlights(const study::StudyMeans& study) {
+std::vector<std::string> plottedMethods(const study::StudyMeans& study,
+                                        const std::vector<std::string>& wanted) {
+  if (auto own = amongOwn(wanted, study.methods); !own.empty()) return own;
   std::vector<Ranked> ranked;
   for (const study::RankedOverStudies& method : study::rankOverStudies(std::array{study})) {
     ranked.push_back({method.label, nameOf(study.methods, method.label)});
@@ -82,7 +97,9 @@ std::vector<std::string> highlights(const study::StudyMeans& study) {
   return choose(ranked, std::move(chosen));
 }
 
-std::vector<std::string> highlights(const study::SuiteStatistics& statistics) {
+std::vector<std::string> plottedMethods(const study::SuiteStatistics& statistics,
+                                        const std::vector<std::string>& wanted) {
+  if (auto own = amongOwn(wanted, statistics.methods); !own.empty()) return own;
   std::vector<Ranked> ranked;
   std::vector<std::string> chosen;
   for (const study::SuiteMethod& method : statistics.methods) {

@@ -1,4 +1,4 @@
-#include "report/plots/method_styles.h"
+#include "report/plots/plot_style.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
@@ -8,13 +8,15 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "render/method.h"
-#include "report/highlights.h"
+#include "report/plots/gnuplot.h"
+#include "report/plotted_methods.h"
 #include "report/sample_record.h"
 
 namespace gnomon::report {
@@ -105,13 +107,7 @@ double contrast(std::string_view a, std::string_view b) {
   return (bright + 0.05) / (dark + 0.05);
 }
 
-std::vector<FamilyColours> allColours() {
-  std::vector<FamilyColours> all(familyColours.begin(), familyColours.end());
-  all.push_back(otherMethods);
-  return all;
-}
-
-TEST(MethodStyles, TheSimulationsThemselvesAreRight) {
+TEST(PlotStyle, TheSimulationsThemselvesAreRight) {
   // White is white to every eye; red and green of one luminance are alike to a deuteranope.
   for (const auto& [name, matrix] : visions) {
     EXPECT_NEAR(labOf(seenBy(matrix, lightOf("#ffffff")))[0], 100, 0.1) << name;
@@ -123,12 +119,12 @@ TEST(MethodStyles, TheSimulationsThemselvesAreRight) {
   EXPECT_GT(distance("#c04040", "#706a20", visions.at("full")), 50);
 }
 
-TEST(MethodStyles, EveryEyeTellsTheFamiliesApart) {
-  const std::vector<FamilyColours> all = allColours();
+TEST(PlotStyle, EveryEyeTellsTheFamiliesApart) {
+  const auto& all = familyColours;
   for (const auto& [name, vision] : visions) {
     for (std::size_t a = 0; a < all.size(); ++a) {
       for (std::size_t b = a + 1; b < all.size(); ++b) {
-        const std::string pair = fmt::format("{}: {} and {}", name, all[a].family, all[b].family);
+        const std::string pair = fmt::format("{}: {} and {}", name, all[a].name, all[b].name);
         EXPECT_GE(distance(all[a].onWhite, all[b].onWhite, vision), 20) << pair << " on white";
         EXPECT_GE(distance(all[a].onDark, all[b].onDark, vision), 20) << pair << " on dark";
       }
@@ -136,23 +132,44 @@ TEST(MethodStyles, EveryEyeTellsTheFamiliesApart) {
   }
 }
 
-TEST(MethodStyles, ColoursStandOutFromTheirPage) {
-  for (const FamilyColours& colours : allColours()) {
-    EXPECT_GE(contrast(colours.onWhite, "#ffffff"), 3) << colours.family;
-    EXPECT_GE(contrast(colours.onDark, "#14171b"), 3) << colours.family;
+TEST(PlotStyle, ColoursStandOutFromTheirPage) {
+  for (const PlotColour& colours : familyColours) {
+    EXPECT_GE(contrast(colours.onWhite, "#ffffff"), 3) << colours.name;
+    EXPECT_GE(contrast(colours.onDark, "#14171b"), 3) << colours.name;
   }
+}
+
+/// gnuplot's own spellings of a colour are those of the style sheet.
+TEST(PlotStyle, TakesTheColoursOfADarkPage) {
+  const std::string script = fmt::format(
+      "set terminal svg background '#ffffff'\nset xlabel 'x' textcolor rgb '{0}'\n"
+      "plot [0:1] x with linespoints lc rgb '{1}', 1 with filledcurves y1=0 fc rgb '{2}'\n",
+      inkColour, familyColours[1].onWhite, bandColour);
+  const std::string svg = drawByGnuplot({script}).front();
+  std::size_t found = 0;
+  static const std::regex rule(R"re(\[(?:stroke|color|fill)="[^"]*"\])re");
+  const std::string& style = darkStyle();
+  for (std::sregex_iterator at(style.begin(), style.end(), rule), end; at != end; ++at) {
+    std::string selector = at->str().substr(1, at->str().size() - 2);
+    std::string quoted = std::regex_replace(selector, std::regex("\""), "'");
+    quoted.replace(quoted.find('='), 1, " = ");
+    for (const std::string& spelling :
+         {selector, std::regex_replace(selector, std::regex("\""), "'"), quoted}) {
+      found += svg.find(spelling) == std::string::npos ? 0U : 1U;
+    }
+  }
+  EXPECT_GE(found, 5U) << "background, text, line, symbol and area";
 }
 
 // ---- methods
 
-TEST(MethodStyles, EveryFamilyThatAFileCanNameHasAColour) {
+TEST(PlotStyle, EveryFamilyThatAFileCanNameHasAColour) {
   for (const std::string_view family : render::methodFamilies) {
-    EXPECT_THAT(familyColours,
-                Contains(::testing::Field(&FamilyColours::family, std::string(family))));
+    EXPECT_THAT(familyColours, Contains(::testing::Field(&PlotColour::name, family)));
   }
 }
 
-TEST(MethodStyles, NoTwoShippedMethodsLookTheSame) {
+TEST(PlotStyle, NoTwoShippedMethodsLookTheSame) {
   std::map<std::pair<std::string, int>, std::string> seen;
   for (const std::string& name : render::methodNames(render::shaderFolder())) {
     const render::Method method =
@@ -166,7 +183,7 @@ TEST(MethodStyles, NoTwoShippedMethodsLookTheSame) {
   EXPECT_GE(seen.size(), 20U);
 }
 
-TEST(MethodStyles, VariantsKeepTheColourAndDifferInSymbolAndDashes) {
+TEST(PlotStyle, VariantsKeepTheColourAndDifferInSymbolAndDashes) {
   const render::MethodMark mark = {"ours", "square"};
   const MethodStyle plain = methodStyle("resampled-horizon", "resampled-horizon", mark);
   EXPECT_EQ(plain, (MethodStyle{"ours", 5, 1}));
@@ -182,12 +199,12 @@ TEST(MethodStyles, VariantsKeepTheColourAndDifferInSymbolAndDashes) {
 }
 
 /// Fixed here, since a report of another day must look the same.
-TEST(MethodStyles, OfAnOwnFileFollowFromItsName) {
+TEST(PlotStyle, OfAnOwnFileFollowFromItsName) {
   EXPECT_EQ(methodStyle("biased", "biased", {}), (MethodStyle{"own", 15, 1}));
   EXPECT_EQ(methodStyle("mine", "mine", {"march", "star"}), (MethodStyle{"march", 3, 1}));
 }
 
-// ---- highlights
+// ---- which are plotted
 
 study::StudyMeans studyOf(const std::vector<std::string>& labels) {
   study::StudyMeans study;
@@ -199,34 +216,29 @@ study::StudyMeans studyOf(const std::vector<std::string>& labels) {
   return study;
 }
 
-TEST(Highlights, AreTheFlatMapTheClaimedMethodAndTheFirstOfTheRanking) {
+TEST(PlottedMethods, AreTheFlatMapTheClaimedMethodAndTheFirstOfTheRanking) {
   study::StudyMeans study = studyOf(
       {"a", "b", "c", "d", "e", "f", "g", "claimed", "h", "i", "max-forsyth", "unshadowed"});
   study.claims = {{"x", "", study::Verdict::held, ""}};
   study.claims[0].methods = {"unshadowed", "max-forsyth", "claimed"};
-  EXPECT_THAT(highlights(study),
+  EXPECT_THAT(plottedMethods(study),
               ElementsAre("a", "b", "c", "d", "e", "f", "claimed", "max-forsyth"));
-  const MethodStyles styles(study);
-  EXPECT_TRUE(styles.isHighlighted("max-forsyth"));
-  EXPECT_FALSE(styles.isHighlighted("g"));
-  // Grey first, so that it lies below; a grey method keeps its symbol.
-  EXPECT_THAT(styles.drawnOrder({"a", "g", "b"}), ElementsAre("g", "a", "b"));
-  const std::vector<PlotColour> colours = styles.colours();
-  EXPECT_EQ(colours.at(0).onWhite, familyColours.back().onWhite);
-  EXPECT_EQ(colours.at(6).onWhite, otherMethods.onWhite);
+  // Those that are asked for, if the study has one of them.
+  EXPECT_THAT(plottedMethods(study, {"g", "nosuch", "a"}), ElementsAre("g", "a"));
+  EXPECT_EQ(plottedMethods(study, {"nosuch"}), plottedMethods(study));
 }
 
-TEST(Highlights, HaveTheBestEntryOfEachMethodBeforeAnyOther) {
+TEST(PlottedMethods, HaveTheBestEntryOfEachMethodBeforeAnyOther) {
   study::StudyMeans study = studyOf({"a", "a 2", "a 3", "b", "c", "d", "e", "f", "g", "h"});
   for (std::size_t i : {1U, 2U}) study.methods[i].name = "a";
-  EXPECT_THAT(highlights(study), ElementsAre("a", "b", "c", "d", "e", "f", "g", "h"));
+  EXPECT_THAT(plottedMethods(study), ElementsAre("a", "b", "c", "d", "e", "f", "g", "h"));
   study.methods.resize(5);
-  EXPECT_THAT(highlights(study), ElementsAre("a", "a 2", "a 3", "b", "c"));
+  EXPECT_THAT(plottedMethods(study), ElementsAre("a", "a 2", "a 3", "b", "c"));
 }
 
-TEST(Highlights, OfFewMethodsAreAll) {
-  EXPECT_THAT(highlights(studyOf({"b", "a"})), ElementsAre("b", "a"));
-  EXPECT_THAT(highlights(study::StudyMeans{}), SizeIs(0));
+TEST(PlottedMethods, OfFewMethodsAreAll) {
+  EXPECT_THAT(plottedMethods(studyOf({"b", "a"})), ElementsAre("b", "a"));
+  EXPECT_THAT(plottedMethods(study::StudyMeans{}), SizeIs(0));
 }
 
 }  // namespace

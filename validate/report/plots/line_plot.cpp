@@ -1,0 +1,175 @@
+#include "report/plots/line_plot.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.h"
+#include "report/plots/gnuplot.h"
+#include "report/text/number_text.h"
+#include "report/text/text_width.h"
+#include "study/run/scene/sample_axes.h"
+
+namespace gnomon::report {
+namespace {
+
+constexpr const char* bandLegend = "uncertainty of the truth";
+
+/// Rows of x, y, and the ends of the bar.
+std::string rowsOf(const std::vector<PlotPoint>& points) {
+  std::string rows;
+  for (const PlotPoint& point : points) {
+    const auto text = [](std::optional<double> value) { return value ? exactText(*value) : "NaN"; };
+    rows += fmt::format("{} {}", exactText(point.x), text(point.y));
+    if (point.bar) rows += " " + exactText(point.bar->low) + " " + exactText(point.bar->high);
+    rows += point.bar ? "\n" : " NaN NaN\n";
+  }
+  return rows;
+}
+
+std::string dataOf(const LinePlot& plot) {
+  std::string data = fmt::format("$band << EOD\n{}EOD\n", rowsOf(plot.band));
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+    data += fmt::format("$c{} << EOD\n{}EOD\n", i, rowsOf(plot.curves[i].points));
+  }
+  return data;
+}
+
+/// The frame, the axes and the curves, without fonts, margins and the legend's place.
+std::string frameOf(const LinePlot& plot) {
+  return fmt::format(
+      "set border 3 lc rgb '{1}'\nset tics nomirror out textcolor rgb '{0}'\n"
+      "set grid lc rgb '{2}' lw 1 dt 1\nset key textcolor rgb '{0}'\n"
+      "set xlabel {3} textcolor rgb '{0}'\nset ylabel {4} textcolor rgb '{0}'\nset format "
+      "'%g'\n{5}",
+      inkColour, axisColour, gridColour, gnuplotText(plot.xLabel), gnuplotText(plot.yLabel),
+      plot.axes);
+}
+
+std::string curvesOf(const LinePlot& plot) {
+  std::string text = "plot ";
+  if (!plot.band.empty()) {
+    text += fmt::format(
+        "$band using 1:2 with filledcurves y1=1e-9 fc rgb '{}' fs noborder title '{}', \\\n  ",
+        bandColour, bandLegend);
+  }
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+    const PlotCurve& curve = plot.curves[i];
+    text += fmt::format("{}$c{} using 1:2 with {} {} title {}", i > 0 ? ", \\\n  " : "", i,
+                        curve.with, curve.style, gnuplotText(shortLegend(curve.label)));
+    const bool hasBars = std::any_of(curve.points.begin(), curve.points.end(),
+                                     [](const PlotPoint& point) { return point.bar.has_value(); });
+    if (!hasBars) continue;
+    text += fmt::format(
+        ", \\\n  $c{} using 1:3:(0):($4-$3) with vectors heads size graph 0.005,90 {} lw 1 dt 1 "
+        "notitle",
+        i, curve.style.substr(0, curve.style.find(" pt")));
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+PlotSheet sheetOf(const LinePlot& plot) {
+  PlotSheet sheet{plot.name, plot.title, plot.about, plot.section};
+  sheet.commands = dataOf(plot) + frameOf(plot) +
+                   "set key outside right top Left reverse samplen 2 spacing 1.1 maxcols 1\n" +
+                   curvesOf(plot);
+  return sheet;
+}
+
+std::vector<PlotSheet> sheetsOf(const std::vector<LinePlot>& plots) {
+  std::vector<PlotSheet> sheets;
+  for (const LinePlot& plot : plots) sheets.push_back(sheetOf(plot));
+  return sheets;
+}
+
+std::string paperCommands(const LinePlot& plot, double fontSize, std::size_t columns) {
+  std::string fonts;
+  for (const char* text : {"xtics", "ytics", "xlabel", "ylabel"}) {
+    fonts += fmt::format("set {} font ',{:g}'\n", text, fontSize);
+  }
+  return dataOf(plot) + frameOf(plot) + fonts +
+         fmt::format(
+             "set key outside bottom center horizontal Left reverse samplen 1.5 spacing 1.1 "
+             "maxcols {} font ',{:g}'\n",
+             columns, fontSize) +
+         curvesOf(plot);
+}
+
+MethodStyles::MethodStyles(const study::StudyMeans& study) {
+  for (const study::MethodMeans& method : study.methods) {
+    styles_.emplace_back(method.label,
+                         styleClause(methodStyle(method.name, method.label, method.mark)));
+  }
+}
+
+MethodStyles::MethodStyles(const study::SuiteStatistics& statistics) {
+  for (const study::SuiteMethod& method : statistics.methods) {
+    const std::string& name = method.names.empty() ? method.label : method.names.front();
+    styles_.emplace_back(method.label, styleClause(methodStyle(name, method.label, method.mark)));
+  }
+}
+
+std::string MethodStyles::of(const std::string& label) const {
+  const auto found = std::find_if(styles_.begin(), styles_.end(),
+                                  [&](const auto& style) { return style.first == label; });
+  if (found == styles_.end()) throw InternalError(fmt::format("no method \"{}\" to draw", label));
+  return found->second;
+}
+
+std::string shortLegend(const std::string& label) {
+  constexpr std::size_t longest = 40;
+  return displayWidth(label) > longest ? fitLeft(label, longest) : label;
+}
+
+BinAxis binAxis(const std::vector<BinEnds>& ends) {
+  std::vector<double> edges;
+  for (const auto& [low, high] : ends) {
+    for (const auto& edge : {low, high}) {
+      if (edge) edges.push_back(*edge);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  const bool isLogarithmic = isGeometric(edges);
+  const auto beyond = [&](double edge, double next) {
+    return isLogarithmic ? edge * edge / next : 2 * edge - next;
+  };
+  // One edge alone has no neighbour, none has not even a place.
+  const double single = edges.empty() ? 0.5 : edges.front();
+  const double left = edges.size() > 1 ? beyond(edges[0], edges[1]) : single - 1;
+  const double right =
+      edges.size() > 1 ? beyond(edges[edges.size() - 1], edges[edges.size() - 2]) : single + 1;
+  BinAxis axis{{}, ends.front().first.value_or(left), ends.back().second.value_or(right), {}};
+  for (const auto& [low, high] : ends) {
+    const double from = low.value_or(left);
+    const double to = high.value_or(right);
+    axis.middles.push_back(isLogarithmic ? std::sqrt(from * to) : (from + to) / 2);
+  }
+  axis.commands = fmt::format("{}set xrange [{}:{}]\n", isLogarithmic ? "set logscale x\n" : "",
+                              exactText(axis.left), exactText(axis.right));
+  return axis;
+}
+
+std::string axisTitle(std::string_view axis) {
+  for (const study::SampleAxis& known : study::sampleAxes()) {
+    if (known.name != axis) continue;
+    return known.unit.empty() ? std::string(known.title)
+                              : fmt::format("{}, {}", known.title, known.unit);
+  }
+  return std::string(axis);
+}
+
+bool isGeometric(const std::vector<double>& places) {
+  constexpr std::size_t fewest = 4;
+  if (places.size() < fewest || !(places.front() > 0)) return false;
+  const double ratio = places[1] / places[0];
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    if (std::abs(places[i] / places[i - 1] / ratio - 1) > 0.01) return false;
+  }
+  return ratio > 1;
+}
+
+}  // namespace gnomon::report
