@@ -17,12 +17,11 @@ study::StudyRecord fullRecord() {
   record.reproduction.settings.insert("study", toml::table{{"suite", "suite-9"}});
   record.reproduction.inputs = {{{}, "a.toml", std::string(64, 'a')}};
   study::ResultRecord& soft = record.results.front();
-  for (const std::string_view name : compare::shareMetricNames()) {
+  for (const compare::MetricId name : compare::metricsOfKinds({compare::MetricKind::share})) {
     soft.shares.push_back({name, 1.0 / 3, {}});
   }
-  soft.shares.back() = {compare::shareMetricNames().back(), {}, compare::shareReasons().front()};
-  soft.boundaries.front() = {
-      compare::boundaryMetricNames().front(), {}, compare::boundaryReasons().front()};
+  soft.shares.back() = {soft.shares.back().id, {}, compare::shareReasons().front()};
+  soft.boundaries.front() = {compare::MetricId("assd"), {}, compare::boundaryReasons().front()};
   study::UncertaintyRecord& flip = record.truth.flips.front();
   flip.shares = soft.shares;
   flip.percentile99 = 0.1;

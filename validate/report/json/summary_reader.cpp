@@ -35,15 +35,14 @@ compare::Counts readCounts(const JsonReader& row) {
   return counts;
 }
 
-/// Metrics whose names and reasons are constants; none where the record has none of them.
-std::vector<compare::Metric> readMetrics(const JsonReader& row,
-                                         const std::vector<std::string_view>& names,
+/// Metrics of a kind, whose reasons are constants; none where the record has none of them.
+std::vector<compare::Metric> readMetrics(const JsonReader& row, compare::MetricKind kind,
                                          const std::vector<std::string_view>& reasons) {
   std::vector<compare::Metric> metrics;
-  for (const std::string_view name : names) {
-    const std::string key(name);
+  for (const compare::MetricId id : compare::metricsOfKinds({kind})) {
+    const std::string key(id.name());
     if (!row.has(key.c_str())) return {};
-    compare::Metric metric{name, row.numberOrNull(key.c_str()), {}};
+    compare::Metric metric{id, row.numberOrNull(key.c_str()), {}};
     if (!metric.value) {
       const std::string reason = row.object("undefined").text(key.c_str());
       const auto found = std::find(reasons.begin(), reasons.end(), reason);
@@ -56,11 +55,11 @@ std::vector<compare::Metric> readMetrics(const JsonReader& row,
 }
 
 std::vector<compare::Metric> readBoundaries(const JsonReader& row) {
-  return readMetrics(row, compare::boundaryMetricNames(), compare::boundaryReasons());
+  return readMetrics(row, compare::MetricKind::boundary, compare::boundaryReasons());
 }
 
 std::vector<compare::Metric> readShares(const JsonReader& row) {
-  return readMetrics(row, compare::shareMetricNames(), compare::shareReasons());
+  return readMetrics(row, compare::MetricKind::share, compare::shareReasons());
 }
 
 study::EnvironmentRecord readEnvironment(const JsonReader& row) {

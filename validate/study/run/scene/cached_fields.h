@@ -39,10 +39,20 @@ void fields(Stream& stream, T& lengths) {
   stream(runs, ratio, lowerQuartile, upperQuartile, truthLength);
 }
 
-/// Metrics whose texts are constants, kept by their places in the lists of them.
+template <typename Stream, SameAs<compare::MetricId> T>
+void fields(Stream& stream, T& id) {
+  std::string name(id.name());
+  stream(name);
+  if constexpr (!std::is_const_v<T>) {
+    const auto found = compare::MetricId::find(name);
+    if (!found) throw DamagedBytes();
+    id = *found;
+  }
+}
+
+/// Metrics whose reasons are constants, kept by their places in a list.
 struct ListedMetrics {
   std::vector<compare::Metric> metrics;
-  const std::vector<std::string_view>* names;
   const std::vector<std::string_view>* reasons;
 };
 
@@ -63,24 +73,20 @@ void fields(Stream& stream, T& listed) {
   std::uint64_t count = listed.metrics.size();
   stream(count);
   if constexpr (!std::is_const_v<T>) {
-    if (count > listed.names->size()) throw DamagedBytes();
-    listed.metrics.resize(count);
+    if (count > compare::metricTraits.size()) throw DamagedBytes();
+    listed.metrics.resize(count, {compare::metrics::errorRate, {}, {}});
   }
   for (auto& metric : listed.metrics) {
-    std::uint64_t name = placeIn(*listed.names, metric.name);
     std::uint64_t reason = placeIn(*listed.reasons, metric.reason);
-    stream(name, metric.value, reason);
-    if constexpr (!std::is_const_v<T>) {
-      metric.name = textAt(*listed.names, name);
-      metric.reason = textAt(*listed.reasons, reason);
-    }
+    stream(metric.id, metric.value, reason);
+    if constexpr (!std::is_const_v<T>) metric.reason = textAt(*listed.reasons, reason);
   }
 }
 
 /// A record's boundary metrics, in their place among its other members.
 template <typename Stream, SameAs<std::vector<compare::Metric>> T>
 void boundaryFields(Stream& stream, T& metrics) {
-  ListedMetrics listed{metrics, &compare::boundaryMetricNames(), &compare::boundaryReasons()};
+  ListedMetrics listed{metrics, &compare::boundaryReasons()};
   stream(listed);
   if constexpr (!std::is_const_v<T>) metrics = std::move(listed.metrics);
 }
@@ -88,7 +94,7 @@ void boundaryFields(Stream& stream, T& metrics) {
 /// Likewise its share metrics.
 template <typename Stream, SameAs<std::vector<compare::Metric>> T>
 void shareFields(Stream& stream, T& metrics) {
-  ListedMetrics listed{metrics, &compare::shareMetricNames(), &compare::shareReasons()};
+  ListedMetrics listed{metrics, &compare::shareReasons()};
   stream(listed);
   if constexpr (!std::is_const_v<T>) metrics = std::move(listed.metrics);
 }
