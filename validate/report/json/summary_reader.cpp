@@ -62,7 +62,7 @@ std::vector<compare::Metric> readShares(const JsonReader& row) {
   return readMetrics(row, compare::MetricKind::share, compare::shareReasons());
 }
 
-study::EnvironmentRecord readEnvironment(const JsonReader& row) {
+study::EnvironmentRecord readWholeEnvironment(const JsonReader& row) {
   return {row.text("gnomon_version"),
           row.text("commit"),
           row.text("cpu"),
@@ -166,8 +166,11 @@ study::CostRecord readCost(const JsonReader& row) {
 }
 
 study::Judgement readThreshold(const JsonReader& row, const std::string& step) {
-  study::Gate gate{row.text("method"),         row.text("light"),  row.text("view"),
-                   row.text("region"),         row.text("metric"), row.numberOrNull("minimum"),
+  const std::string name = row.text("metric");
+  const auto metric = compare::MetricId::find(name);
+  if (!metric) row.fail("metric", "\"" + name + "\" found, a metric expected");
+  study::Gate gate{row.text("method"),         row.text("light"), row.text("view"),
+                   row.text("region"),         *metric,           row.numberOrNull("minimum"),
                    row.numberOrNull("maximum")};
   gate.answer = study::answerOfName(row.text("answer")).value_or(study::Answer::drawn);
   gate.step = step;
@@ -203,7 +206,7 @@ study::StudyRecord readSummary(const JsonReader& summary) {
   for (const JsonReader& input : study.list("inputs")) {
     record.reproduction.inputs.push_back({{}, input.text("file"), input.text("sha256")});
   }
-  record.environment = readEnvironment(summary.object("environment"));
+  record.environment = readWholeEnvironment(summary.object("environment"));
   const JsonReader truth = summary.object("truth");
   record.truth.uncertainty = truth.number("uncertainty");
   record.truth.flips = readList(truth, "flips", readFlip);
