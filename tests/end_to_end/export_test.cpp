@@ -246,7 +246,7 @@ TEST_F(Export, WhatCannotBeExportedIsRefusedBeforeItIsMade) {
       gnomon({"export", "odd.toml", "--subdivisions", "8000", "--set", "surface.quads=[64, 64]"});
   EXPECT_NE(many.status, 0);
   EXPECT_THAT(many.err, HasSubstr("subdivisions: 8000"));
-  EXPECT_EQ(filesBelow("out/odd"), std::vector<std::string>{"export/files.txt"});
+  EXPECT_TRUE(filesBelow("out/odd").empty());
   // What an earlier export left does not pass for a whole one.
   exported("odd", read("odd.toml"));
   EXPECT_NE(gnomon({"export", "odd.toml", "--set", "view.0.eye=[0,0,-80]"}).status, 0);

@@ -50,7 +50,9 @@ study::SuiteStatistics statistics() {
 }
 
 std::vector<DrawnPlot> drawn(const study::SuiteStatistics& of) {
-  return drawPlots(sheetsOf(suitePlots(of, plottedMethods(of))), nullptr);
+  std::vector<PlotSheet> sheets = sheetsOf(suitePlots(of, plottedMethods(of)));
+  sheets.push_back(suiteWinsPlot(of));
+  return drawPlots(std::move(sheets), nullptr);
 }
 
 TEST(SuiteHtml, SaysWhatWasFound) {
@@ -60,7 +62,7 @@ TEST(SuiteHtml, SaysWhatWasFound) {
                            "<b>m1</b> has the fewest wrong samples: <b>2.60&#8239;%",
                            "distinguishable from every other", "Who beats whom",
                            "hard &lt;scene&gt;", "href=\"scene-024/report.html\"", "below 10",
-                           "gnomon run a &amp; b", "viewBox=\"0 0 1000 "}) {
+                           "gnomon run a &amp; b", "src=\"data:image/svg+xml;base64,"}) {
     EXPECT_THAT(html, HasSubstr(part));
   }
   for (const char* fetch : {"http://", "https://", "<link", "<script src", "@import", "url("}) {

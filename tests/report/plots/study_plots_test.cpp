@@ -60,7 +60,7 @@ TEST(BinAxis, EdgesThatGrowByOneFactorAreLogarithmic) {
   const BinAxis axis = binAxis({{{}, 1}, {1, 2}, {2, 4}, {4, 8}, {8, {}}});
   EXPECT_EQ(axis.commands, "set logscale x\nset xrange [0.5:16]\n");
   EXPECT_DOUBLE_EQ(axis.middles.at(1), std::sqrt(2.0));
-  EXPECT_EQ(binAxis({{{}, 0}, {0, 10}}).commands, "set xrange [-1:10]\n");
+  EXPECT_EQ(binAxis({{{}, 0}, {0, 10}}).commands, "set xrange [-10:10]\n");
 }
 
 /// On a plane all samples have one curvature.
