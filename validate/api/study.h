@@ -30,7 +30,8 @@ struct RunResult {
 
 /// Measures a study or sweep as `gnomon run` does and writes its folder. The work is done on a
 /// thread of its own: the caller's OpenGL context is not touched.
-/// @throws Exception  badInput naming file, line and key, or for a folder that holds somebody else's
+/// @throws Exception  badInput naming file, line and key, or for a folder that holds somebody
+/// else's
 ///   results; noOpenGl; internal
 GNOMON_API RunResult runStudy(const std::filesystem::path& study, const RunOptions& options = {});
 

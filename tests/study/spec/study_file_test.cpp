@@ -11,8 +11,8 @@
 #include "study/spec/study_file_fixture.h"
 #include "study/spec/study_parts.h"
 #include "study/spec/sweep/sweep.h"
-#include "truth/disc_directions.h"
 #include "support/scene_files.h"
+#include "truth/disc_directions.h"
 
 // `[[light]] radius` and `sun`, `[truth] directions` and `[[method]] disc`.
 

@@ -41,9 +41,9 @@ struct RunRequest {
 /// ranking; but all studies are read before the first is run. Two studies or more are followed by a
 /// ranking of the methods over all of them: printed, and written as `out/ranking.csv`,
 /// `ranking.md`, `ranking.html` and last `ranking.json`.
-/// Before the first study is run, the summaries that earlier runs of these studies left are removed;
-/// each study's folder is replaced when it is whole: see RunFolder. Thresholds are judged and
-/// recorded, but decide nothing: see checkStudies.
+/// Before the first study is run, the summaries that earlier runs of these studies left are
+/// removed; each study's folder is replaced when it is whole: see RunFolder. Thresholds are judged
+/// and recorded, but decide nothing: see checkStudies.
 /// @return pass, or the largest status of the studies that failed
 ExitStatus runStudies(const RunRequest& request);
 

@@ -85,8 +85,8 @@ Html worstSection(const study::StudyRecord& record,
            "shown as a mask: white is lit.{}</p>\n{}",
            study::mostWorstPlaces, study::worstPlaceSide, study::worstPlaceSide,
            methods.size() < ranked.size()
-               ? fmt::format(" These are the {} of {} methods that the plots show.",
-                             methods.size(), ranked.size())
+               ? fmt::format(" These are the {} of {} methods that the plots show.", methods.size(),
+                             ranked.size())
                : "",
            content));
 }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/scenes/resampled_mean.h"
 #include "compare/scenes/comparisons.h"
+#include "compare/scenes/resampled_mean.h"
 #include "compare/scenes/scene_table.h"
 #include "study/judge/study_means.h"
 
