@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "common/camera.h"
 #include "common/light.h"
 
 namespace gnomon::app {
@@ -31,5 +32,23 @@ LightAngles lightAt(const LightPath& path, int frame, double radius);
 /// @param light  where a turn starts, once around at its elevation
 /// @throws UsageError for another text, for an elevation beyond ±90° and an azimuth beyond ±3600°
 LightPath parsePath(const std::string& text, const LightAngles& light, int frames);
+
+/// A camera as a person moves it: pure functions, camera in, camera out. All keep target, up, field
+/// of view and size.
+
+/// The eye turned about the target: by `azimuth` about `up` (counter-clockwise seen from above),
+/// and by `elevation` toward `up`, radians; both in one step. It keeps its distance to rounding.
+/// The elevation ends 1° from the poles (or where it was, if nearer), so that the picture never
+/// flips.
+Camera orbited(const Camera& camera, double azimuth, double elevation);
+
+/// How near and how far the eye may come to its target, world units; 0 < nearest ≤ farthest.
+struct ZoomRange {
+  double nearest;
+  double farthest;
+};
+
+/// The eye's distance multiplied by a factor > 0 (below 1 comes nearer), within the range.
+Camera zoomed(const Camera& camera, double factor, const ZoomRange& range);
 
 }  // namespace gnomon::app

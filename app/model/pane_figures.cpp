@@ -8,6 +8,7 @@
 #include "common/error.h"
 
 namespace gnomon::app {
+
 namespace {
 
 /// What is compared: everything where `asked` is empty.

@@ -1,14 +1,64 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <variant>
+#include <vector>
 
-#include "compare/rates.h"
-#include "model/answers.h"
-#include "model/view_part.h"
+#include "common/mask.h"
+#include "compare/counts.h"
+#include "model/picking.h"
 
 namespace gnomon::app {
+
+/// What a method or the truth says of all samples of a view: a mask where the light is a point, the
+/// share of its disc that each sample sees where it has one.
+using Answers = std::variant<Mask, Visibility>;
+
+inline bool isSoft(const Answers& answers) {
+  return std::holds_alternative<Visibility>(answers);
+}
+
+/// One sample's answer, in a mask and in a map of shares.
+inline bool isAnswer(Shade shade) {
+  return shade != Shade::none;
+}
+inline bool isAnswer(float share) {
+  return !std::isnan(share);
+}
+
+/// One a sample.
+inline std::vector<Shade>& valuesOf(Mask& mask) {
+  return mask.samples;
+}
+inline const std::vector<Shade>& valuesOf(const Mask& mask) {
+  return mask.samples;
+}
+inline std::vector<float>& valuesOf(Visibility& map) {
+  return map.shares;
+}
+inline const std::vector<float>& valuesOf(const Visibility& map) {
+  return map.shares;
+}
+
+/// What a sample without an answer has.
+inline Shade absentIn(const Mask& /*mask*/) {
+  return Shade::none;
+}
+inline float absentIn(const Visibility& /*map*/) {
+  return noSample;
+}
+
+/// A map of a size in which no sample has an answer.
+template <typename Map>
+Map emptyMap(int width, int height) {
+  Map map{width, height, {}};
+  valuesOf(map).assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+                       absentIn(map));
+  return map;
+}
 
 /// What a pane says of its method, against as much of the truth as has been traced.
 struct PaneFigures {

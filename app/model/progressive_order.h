@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "model/answers.h"
+#include "model/pane_figures.h"
 #include "surface/sample_grid.h"
 
 namespace gnomon::app {

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cctype>
 
-#include "common/degrees.h"
 #include "common/error.h"
 #include "common/files/atomic_file.h"
+#include "common/vec.h"
 #include "study/spec/method_replacement.h"
 #include "study/spec/sections/study_paths.h"
-#include "study/spec/study_table.h"
+#include "study/spec/study_file.h"
 #include "study/spec/toml/toml_text.h"
 
 namespace gnomon::app {

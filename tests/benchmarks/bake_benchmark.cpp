@@ -31,7 +31,6 @@
 #include "horizon/horizon_bake.h"
 #include "horizon/kernel/tile_kernel.h"
 #include "horizon/reference/ray_crossings.h"
-#include "horizon/stored_bake.h"
 #include "hull_sweep.h"
 #include "relief/height_field.h"
 

@@ -1,4 +1,4 @@
-#include "cache/entry.h"
+#include "cache/cache_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <memory>
 
-#include "cli/help/manual_page.h"
+#include "cli/command_line.h"
 
 namespace gnomon::cli {
 namespace {

@@ -1,6 +1,5 @@
 #include "cli/shards/shard.h"
 
-#include "cli/shards/shard_file.h"
 #include "common/error.h"
 #include "support/error_messages.h"
 #include "support/scoped_variable.h"

@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "common/alongside.h"
-#include "common/cancellation.h"
 #include "common/error.h"
 #include "common/parallel.h"
-#include "common/time_left.h"
+#include "common/progress.h"
 #include "common/work_beside.h"
 
 namespace gnomon {

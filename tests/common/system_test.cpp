@@ -16,7 +16,6 @@
 
 #include "common/error.h"
 #include "common/system/child_process.h"
-#include "common/system/control_group.h"
 #include "common/system/interruption.h"
 #include "common/system/memory.h"
 #include "common/system/own_files.h"

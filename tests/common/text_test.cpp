@@ -7,12 +7,9 @@
 #include <string>
 
 #include "common/error.h"
-#include "common/text/base64.h"
-#include "common/text/nearest_name.h"
-#include "common/text/one_line.h"
 #include "common/text/sha256.h"
-#include "common/text/shell_quote.h"
 #include "common/text/toml_nesting.h"
+#include "common/text/words.h"
 #include "support/error_messages.h"
 
 namespace gnomon {

@@ -10,11 +10,9 @@
 #include <utility>
 
 #include "common/camera.h"
-#include "common/degrees.h"
 #include "common/error.h"
 #include "common/lists.h"
-#include "common/packed_shades.h"
-#include "common/quantile.h"
+#include "common/mask.h"
 #include "common/raw_vector.h"
 #include "common/vec.h"
 

@@ -15,7 +15,7 @@
 #include "compare/boundary_values.h"
 #include "compare/contour.h"
 #include "compare/drawn_mask.h"
-#include "compare/mask_checks.h"
+#include "compare/mask_metrics.h"
 #include "compare/masks.h"
 
 namespace gnomon::compare {

@@ -12,9 +12,9 @@
 
 #include "common/error.h"
 #include "compare/bins.h"
-#include "compare/block_errors.h"
+#include "compare/confidence_interval.h"
 #include "compare/counts.h"
-#include "compare/mask_checks.h"
+#include "compare/mask_metrics.h"
 #include "compare/masks.h"
 #include "support/error_messages.h"
 

@@ -13,8 +13,7 @@
 #include "compare/counts.h"
 #include "compare/mask_metrics.h"
 #include "compare/masks.h"
-#include "compare/metric_range.h"
-#include "compare/rates.h"
+#include "compare/metric.h"
 #include "masks.h"
 #include "support/error_messages.h"
 

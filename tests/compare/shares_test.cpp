@@ -10,7 +10,7 @@
 
 #include "common/error.h"
 #include "compare/bins.h"
-#include "compare/block_errors.h"
+#include "compare/confidence_interval.h"
 #include "compare/counts.h"
 #include "compare/masks.h"
 #include "compare/share_metrics.h"

@@ -1,4 +1,4 @@
-#include "export/export_files.h"
+#include "export/truth_files.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
@@ -9,9 +9,9 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "export/mesh_files.h"
-#include "image/channel_image.h"
 #include "image/grey_picture.h"
-#include "report/pictures/region_image.h"
+#include "image/image.h"
+#include "report/view_images.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon::exporting {

@@ -9,7 +9,7 @@
 #include <functional>
 #include <random>
 
-#include "cli/failure.h"
+#include "cli/output.h"
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "end_to_end/support/program.h"

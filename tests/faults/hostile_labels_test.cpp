@@ -7,8 +7,7 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "common/text/shell_quote.h"
-#include "common/text/utf8.h"
+#include "common/text/words.h"
 #include "faults/shell_run.h"
 #include "support/lines.h"
 #include "support/test_length.h"

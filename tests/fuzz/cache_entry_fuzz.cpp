@@ -4,7 +4,7 @@
 #include <array>
 
 #include "cache/byte_stream.h"
-#include "cache/entry.h"
+#include "cache/cache_folder.h"
 #include "fuzz/reader_fuzz.h"
 #include "study/run/scene/cached_fields.h"
 

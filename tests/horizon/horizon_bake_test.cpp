@@ -20,8 +20,8 @@
 #include "horizon/horizon_bake.h"
 #include "horizon/horizon_truth.h"
 #include "horizon/kernel/azimuth_plan.h"
+#include "horizon/kernel/horizon_tiles.h"
 #include "horizon/kernel/tile_kernel.h"
-#include "horizon/kernel/tile_scratch.h"
 #include "support/error_messages.h"
 
 namespace gnomon::horizon {

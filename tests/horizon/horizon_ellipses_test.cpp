@@ -1,4 +1,4 @@
-#include "horizon/horizon_ellipses.h"
+#include "horizon/angle_table.h"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,7 @@
 
 #include "common/vec.h"
 #include "horizon/horizon_bake.h"
-#include "horizon/reference/filtered_table.h"
 #include "horizon/reference/height_profile.h"
-#include "horizon/reference/osculating_horizon.h"
 #include "horizon/reference/ray_crossings.h"
 #include "truth/truth_scenes.h"
 

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "common/error.h"
-#include "horizon/stored_bake.h"
+#include "horizon/horizon_bake.h"
 #include "horizon/stored_table.h"
 #include "horizon/table_file.h"
 #include "support/error_messages.h"
@@ -24,9 +24,7 @@
 #include <cstddef>
 #include <fstream>
 #include <string>
-#include "common/error.h"
 #include "horizon/horizon_truth.h"
-#include "support/error_messages.h"
 
 namespace gnomon::horizon {
 namespace {

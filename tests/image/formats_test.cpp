@@ -16,9 +16,9 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "image/channel_image.h"
-#include "image/formats/exif_orientation.h"
+#include "image/formats/picture_headers.h"
 #include "image/grey_picture.h"
+#include "image/image.h"
 #include "image/image_file.h"
 #include "image/image_format.h"
 #include "image/image_module.h"

@@ -10,7 +10,6 @@
 #include "image/grey_picture.h"
 #include "image/images.h"
 #include "image/mask_picture.h"
-#include "image/share_picture.h"
 #include "support/error_messages.h"
 #include "support/image_files.h"
 #include "support/temporary_folder.h"

@@ -10,7 +10,6 @@
 #include "common/files/atomic_file.h"
 #include "image/images.h"
 #include "image/mask_picture.h"
-#include "image/web_picture.h"
 #include "support/error_messages.h"
 #include "support/read_image.h"
 #include "support/temporary_folder.h"

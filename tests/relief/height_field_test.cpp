@@ -13,7 +13,6 @@
 #include "relief/height_image.h"
 #include "relief/patch_border.h"
 #include "relief/relief.h"
-#include "relief/resampled_heights.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 #include "surface/cage/shapes.h"

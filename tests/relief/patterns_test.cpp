@@ -9,8 +9,6 @@
 
 #include "common/error.h"
 #include "relief/patterns.h"
-#include "relief/scratches_pattern.h"
-#include "relief/spectrum_pattern.h"
 #include "support/error_messages.h"
 
 namespace gnomon::relief {

@@ -8,12 +8,10 @@
 #include "common/random_stream.h"
 #include "relief/patterns.h"
 #include "relief/solid.h"
-#include "relief/solid_map.h"
-#include "relief/triplanar.h"
 #include "support/error_messages.h"
 #include "surface/cage/shapes.h"
+#include "surface/closed_surface.h"
 #include "surface/mesh_file.h"
-#include "surface/shared_sides.h"
 #include "surface/texel_frame.h"
 
 namespace gnomon::relief {

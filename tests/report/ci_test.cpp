@@ -6,10 +6,8 @@
 
 #include "common/error.h"
 #include "image/images.h"
-#include "report/ci/github_annotations.h"
 #include "report/ci/job_summary.h"
 #include "report/ci/junit.h"
-#include "report/ci/mosaic.h"
 #include "report/ci/terminal_check.h"
 #include "report/sample_check.h"
 #include "report/text/text_width.h"

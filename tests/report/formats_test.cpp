@@ -3,13 +3,11 @@
 #include <limits>
 
 #include "common/error.h"
-#include "report/tables/formats/csv_format.h"
-#include "report/tables/formats/error_bar.h"
 #include "report/tables/formats/formats.h"
 #include "report/tables/formats/html_format.h"
 #include "report/tables/formats/latex_format.h"
-#include "report/tables/formats/markdown_format.h"
 #include "report/tables/formats/terminal_format.h"
+#include "report/tables/formats/text_formats.h"
 #include "report/text/text_width.h"
 #include "support/lines.h"
 

@@ -14,14 +14,11 @@
 #include "report/sample_record.h"
 #include "report/tables/budget_table.h"
 #include "report/tables/case_tables.h"
-#include "report/tables/formats/csv_format.h"
 #include "report/tables/formats/html_format.h"
 #include "report/tables/formats/latex_format.h"
-#include "report/tables/formats/markdown_format.h"
+#include "report/tables/formats/text_formats.h"
 #include "report/tables/ranked_table.h"
-#include "report/text/budget_text.h"
 #include "report/text/confidence_text.h"
-#include "report/text/interval_text.h"
 #include "report/text/text_width.h"
 
 // An error budget in every kind of report.

@@ -3,8 +3,7 @@
 #include <map>
 #include <regex>
 
-#include "report/paper/chosen_methods.h"
-#include "report/paper/numbers_tex.h"
+#include "report/paper/paper_files.h"
 #include "report/paper/paper_table.h"
 #include "report/sample_record.h"
 #include "report/tables/formats/latex_format.h"

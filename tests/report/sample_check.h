@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/record/check_record.h"
+#include "study/record/cases.h"
 
 namespace gnomon::test {
 

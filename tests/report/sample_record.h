@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compare/boundaries.h"
-#include "compare/rates.h"
+#include "compare/counts.h"
 #include "study/judge/distinguish.h"
 #include "study/judge/gates.h"
 #include "study/record/cases.h"

@@ -1,4 +1,4 @@
-#include "study/judge/study_ranking.h"
+#include "study/judge/ranking.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,11 +7,11 @@
 
 #include "common/error.h"
 #include "report/json/ranking_json.h"
-#include "report/page/ranking_html.h"
+#include "report/page/reference_html.h"
 #include "report/page/terminal_report.h"
 #include "report/sample_record.h"
-#include "report/tables/formats/csv_format.h"
-#include "report/tables/means_table.h"
+#include "report/tables/formats/text_formats.h"
+#include "report/tables/ranked_table.h"
 #include "report/text/text_width.h"
 
 namespace gnomon::report {

@@ -8,17 +8,17 @@
 #include <sstream>
 
 #include "common/error.h"
-#include "report/json/sweep_json.h"
+#include "report/json/ranking_json.h"
 #include "report/page/sweep_html.h"
 #include "report/page/terminal_report.h"
 #include "report/plots/sweep_plots.h"
 #include "report/sample_record.h"
-#include "report/tables/formats/csv_format.h"
-#include "report/tables/means_table.h"
+#include "report/tables/formats/text_formats.h"
+#include "report/tables/ranked_table.h"
 #include "report/tables/sweep_tables.h"
 #include "report/text/text_width.h"
 #include "study/judge/gates.h"
-#include "study/judge/study_ranking.h"
+#include "study/judge/ranking.h"
 
 namespace gnomon::report {
 namespace {

@@ -8,21 +8,18 @@
 #include <type_traits>
 
 #include "common/error.h"
-#include "common/text/utf8.h"
+#include "common/text/words.h"
 #include "report/ci/terminal_check.h"
 #include "report/json/json_values.h"
 #include "report/plots/gnuplot.h"
 #include "report/tables/cost_table.h"
-#include "report/tables/formats/csv_format.h"
-#include "report/tables/formats/markdown_format.h"
+#include "report/tables/formats/text_formats.h"
 #include "report/text/glossary.h"
 #include "report/text/html.h"
 #include "report/text/latex_text.h"
 #include "report/text/number_text.h"
 #include "report/text/terminal_page.h"
-#include "report/text/terms_html.h"
 #include "report/text/text_width.h"
-#include "report/text/utf8_text.h"
 #include "sample_check.h"
 #include "truth/region.h"
 

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "surface/base_mesh.h"
 #include "surface/cage/shapes.h"
 #include "surface/curvature.h"
 #include "surface/test_surfaces.h"
-#include "surface/vertex_curvature.h"
 
 namespace gnomon::surface {
 namespace {

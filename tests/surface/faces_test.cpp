@@ -10,8 +10,8 @@
 
 #include "surface/base_mesh.h"
 #include "surface/cage/shapes.h"
+#include "surface/closed_surface.h"
 #include "surface/curvature.h"
-#include "surface/edge_rings.h"
 #include "surface/face_grids.h"
 #include "surface/mesh_file.h"
 #include "surface/sample_grid.h"

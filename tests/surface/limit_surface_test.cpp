@@ -4,7 +4,6 @@
 
 #include "common/parallel.h"
 #include "surface/cage/shapes.h"
-#include "surface/limit_face.h"
 #include "surface/limit_surface.h"
 #include "surface/plain_subdivision.h"
 #include "surface/test_surfaces.h"

@@ -8,7 +8,7 @@
 
 #include "surface/cage/cage.h"
 #include "surface/cage/shapes.h"
-#include "surface/face_texels.h"
+#include "surface/face_grids.h"
 #include "surface/test_surfaces.h"
 #include "surface/texel_frame.h"
 #include "surface/texture_layout.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "common/error.h"
-#include "truth/disc_directions.h"
 #include "truth/disc_scenes.h"
 #include "truth/micro_surface.h"
 #include "truth/shadow_tracer.h"

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "surface/texel_frame.h"
-#include "truth/cast_shadows.h"
 #include "truth/micro_surface.h"
-#include "truth/occluder.h"
 #include "truth/sample_place.h"
+#include "truth/shadow_tracer.h"
+#include "truth/surface_paths.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon::truth {

@@ -1,4 +1,4 @@
-#include "truth/seam_crossing.h"
+#include "truth/surface_paths.h"
 
 #include <gtest/gtest.h>
 

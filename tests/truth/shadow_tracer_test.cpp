@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "truth/cast_shadows.h"
 #include "truth/embree.h"
 #include "truth/micro_surface.h"
 #include "truth/shadow_tracer.h"
+#include "truth/surface_paths.h"
 #include "truth/truth_scenes.h"
 
 // The truth on planes whose texture is stretched, sheared or mirrored, against the closed form.

@@ -6,17 +6,13 @@
 #include <utility>
 
 #include "api/inner/conversions.h"
-#include "api/inner/translated.h"
 #include "common/error.h"
 #include "common/mask.h"
-#include "common/visibility.h"
 #include "compare/boundaries.h"
-#include "compare/mask_checks.h"
+#include "compare/counts.h"
 #include "compare/mask_metrics.h"
-#include "compare/rates.h"
 #include "compare/share_metrics.h"
 #include "image/mask_picture.h"
-#include "image/share_picture.h"
 
 namespace gnomon {
 inline namespace api {

@@ -2,9 +2,9 @@
 
 #include <unistd.h>
 
-#include "api/inner/translated.h"
-#include "cli/failure.h"
-#include "common/cancellation.h"
+#include "api/inner/conversions.h"
+#include "cli/output.h"
+#include "common/progress.h"
 
 namespace gnomon {
 inline namespace api {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "api/inner/conversions.h"
-#include "api/inner/translated.h"
 #include "common/error.h"
 #include "horizon/horizon_bake.h"
 #include "study/spec/sections/bake_section.h"

@@ -2,12 +2,12 @@
 
 #include <memory>
 
-#include "api/inner/translated.h"
+#include "api/inner/conversions.h"
 #include "cli/commands/cache_command.h"
 #include "cli/commands/run_command.h"
 #include "cli/plan_runs.h"
 #include "cli/study_plans.h"
-#include "common/text/shell_quote.h"
+#include "common/text/words.h"
 #include "render/gl_context.h"
 #include "report/text/gate_text.h"
 #include "study/record/gate.h"

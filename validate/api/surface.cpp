@@ -7,14 +7,13 @@
 #include <string>
 
 #include "api/inner/conversions.h"
-#include "api/inner/translated.h"
 #include "common/camera.h"
 #include "common/error.h"
 #include "render/gl_context.h"
-#include "render/passes/passes.h"
+#include "render/gpu_scene.h"
+#include "render/passes/drawing.h"
 #include "render/shader_files.h"
-#include "render/view.h"
-#include "study/spec/sections/base_section.h"
+#include "study/spec/sections/bake_section.h"
 #include "study/spec/sections/surface_section.h"
 #include "study/spec/sections/view_section.h"
 #include "surface/base_mesh.h"

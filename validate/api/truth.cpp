@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "api/inner/conversions.h"
-#include "api/inner/translated.h"
 #include "common/error.h"
 #include "common/progress.h"
 #include "horizon/search_radius.h"
@@ -17,12 +16,10 @@
 #include "study/spec/sections/bake_section.h"
 #include "study/spec/sections/light_section.h"
 #include "study/spec/sections/relief_section.h"
-#include "study/spec/sections/truth_section.h"
-#include "truth/cast_shadows.h"
-#include "truth/disc_directions.h"
 #include "truth/micro_mesh.h"
 #include "truth/micro_scene.h"
 #include "truth/shadow_tracer.h"
+#include "truth/surface_paths.h"
 #include "truth/visibility_tracer.h"
 
 namespace gnomon {

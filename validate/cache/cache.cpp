@@ -12,13 +12,13 @@
 #include <utility>
 
 #include "cache/cache_folder.h"
-#include "cache/entry.h"
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/part_file.h"
 #include "common/system/memory.h"
 
 namespace gnomon::cache {
+
 namespace fs = std::filesystem;
 namespace {
 

@@ -10,11 +10,21 @@
 #include <string_view>
 
 #include "cache/byte_stream.h"
-#include "cache/cache_counts.h"
 #include "cache/content_key.h"
 #include "common/raw_vector.h"
 
 namespace gnomon::cache {
+
+/// What was found in a cache, and what was not.
+struct CacheCounts {
+  std::uint64_t hits = 0;
+  std::uint64_t misses = 0;   ///< damaged ones among them
+  std::uint64_t damaged = 0;  ///< entries that were not as they were written, and were removed
+
+  friend CacheCounts operator-(CacheCounts a, const CacheCounts& b) {
+    return {a.hits - b.hits, a.misses - b.misses, a.damaged - b.damaged};
+  }
+};
 
 /// What computes the results of a cache.
 struct CacheOwner {

@@ -15,26 +15,21 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/commands/baseline_check.h"
 #include "cli/commands/cache_command.h"
 #include "cli/commands/check_command.h"
 #include "cli/commands/compare_command.h"
 #include "cli/commands/export_command.h"
-#include "cli/commands/gather_command.h"
 #include "cli/commands/init_command.h"
 #include "cli/commands/run_command.h"
 #include "cli/commands/suite_command.h"
 #include "cli/commands/view_command.h"
-#include "cli/failure.h"
-#include "cli/help/manual_page.h"
-#include "cli/junit_file.h"
-#include "cli/list_option.h"
 #include "cli/output.h"
-#include "cli/paper_request.h"
 #include "cli/shards/merge_command.h"
 #include "cli/shards/shard.h"
 #include "common/error.h"
 #include "common/system/interruption.h"
-#include "common/text/nearest_name.h"
+#include "common/text/words.h"
 #include "render/method.h"
 #include "study/record/result_metrics.h"
 #include "study/run/method_trial.h"
@@ -42,6 +37,7 @@
 #include "study/spec/study_sections.h"
 
 namespace gnomon::cli {
+
 namespace {
 
 constexpr const char* runExamples = R"(
@@ -423,6 +419,67 @@ int runCommandLine(int argc, char** argv, const Viewer& viewer) {
     printFailure(failure);
     return static_cast<int>(failure.status);
   }
+}
+
+namespace {
+
+/// Text in which no line is a request to the formatter and no sign is changed by it.
+std::string escaped(const std::string& text) {
+  std::string result;
+  bool opensLine = true;
+  for (const char c : text) {
+    if (opensLine && (c == '.' || c == '\'')) result += "\\&";
+    if (c == '-' || c == '\\') result += c == '-' ? "\\" : "\\e";
+    if (c != '\\') result += c;
+    opensLine = c == '\n';
+  }
+  return result;
+}
+
+/// "--out DIR", "STUDY FILE…" or "--quick".
+std::string headOf(const CLI::Option& option) {
+  const std::string name = option.get_name(option.get_positional(), true);
+  const std::string type = option.get_type_name();
+  return type.empty() || option.get_items_expected_max() == 0 ? name : name + " " + type;
+}
+
+std::string entryOf(const CLI::Option& option) {
+  std::string text =
+      fmt::format(".TP\n.B {}\n{}", escaped(headOf(option)), escaped(option.get_description()));
+  if (!option.get_default_str().empty()) {
+    text += fmt::format(" (default: {})", escaped(option.get_default_str()));
+  }
+  return text + "\n";
+}
+
+std::string optionsOf(const CLI::App& app) {
+  std::string text;
+  for (const CLI::Option* option : app.get_options()) text += entryOf(*option);
+  return text;
+}
+
+/// As it is, line by line.
+std::string verbatim(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of('\n');
+  if (begin == std::string::npos) return "";
+  return fmt::format(".PP\n.nf\n{}\n.fi\n", escaped(text.substr(begin)));
+}
+
+}  // namespace
+
+std::string manualPage(const CLI::App& app, const std::string& version) {
+  const std::string& name = app.get_name();
+  std::string text = fmt::format(
+      ".TH GNOMON 1 \"\" \"Gnomon {}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n.B "
+      "{}\n"
+      ".I COMMAND\n[OPTIONS]\n.SH OPTIONS\n{}.SH COMMANDS\n",
+      escaped(version), name, escaped(app.get_description()), name, optionsOf(app));
+  for (const CLI::App* command : app.get_subcommands({})) {
+    text += fmt::format(".SS {}\n{}\n{}{}", escaped(command->get_name()),
+                        escaped(command->get_description()), optionsOf(*command),
+                        verbatim(command->get_footer()));
+  }
+  return text;
 }
 
 }  // namespace gnomon::cli

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "common/error.h"
 
@@ -65,5 +69,83 @@ bool coloursWanted();
 
 /// Whether standard error is a terminal whose line can be written anew.
 bool progressWanted();
+
+/// One line on standard error that says which stage runs, how far it is, and how long it will take:
+/// only where standard error is a terminal, and only for stages over half a second.
+///
+/// Of several cases it says which one runs, and the time left for all of them: those that are left
+/// take as long as those that are done did on average.
+class TerminalProgress {
+ public:
+  /// @param title  opens the line
+  /// @param cases  that beginCase will be called for
+  explicit TerminalProgress(std::string title, std::size_t cases = 1);
+  TerminalProgress(const TerminalProgress&) = delete;
+  TerminalProgress& operator=(const TerminalProgress&) = delete;
+  /// Clears the line.
+  ~TerminalProgress();
+
+  /// The next case begins, under a title of its own.
+  void beginCase(std::string title);
+  void update(std::string_view stage, double share);
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  [[nodiscard]] std::string leftText(double share, Clock::time_point now) const;
+
+  std::size_t cases_;
+  std::size_t current_ = 0;  ///< from 1, once a case has begun
+  Clock::time_point start_, caseStart_;
+  std::string title_;
+  bool enabled_;
+  bool shown_ = false;
+  std::string stage_;
+  Clock::time_point stageStart_;
+  Clock::time_point lastShown_;
+};
+
+/// What went wrong, as a status and one line.
+struct Failure {
+  ExitStatus status = ExitStatus::internal;
+  std::string message;
+};
+
+/// The exception that is being handled: to be called inside a `catch (...)`. What is no Error is
+/// internal, running out of memory included.
+Failure currentFailure();
+
+/// Writes `gnomon: MESSAGE` to standard error. Messages quote files, drivers and keys: whatever
+/// they hold, an error is one line.
+void printFailure(const Failure& failure);
+
+/// Writes `gnomon: warning: TEXT` likewise.
+void printWarning(const std::string& text);
+
+/// What failed of several pieces of work that need not all succeed.
+class Failures {
+ public:
+  /// Does a piece of work, and keeps how it failed. Output that is lost ends the whole.
+  /// @return whether it has succeeded
+  template <typename Work>
+  bool attempt(const Work& work) {
+    try {
+      work();
+      return true;
+    } catch (...) {
+      if (isOutputLost()) throw;
+      all_.push_back(currentFailure());
+      return false;
+    }
+  }
+
+  /// Prints each, in their order.
+  void print() const;
+  /// The largest of their statuses; pass where there is none.
+  [[nodiscard]] ExitStatus status() const;
+
+ private:
+  std::vector<Failure> all_;
+};
 
 }  // namespace gnomon::cli

@@ -6,25 +6,63 @@
 
 #include "cli/output.h"
 #include "cli/study_plans.h"
-#include "common/text/shell_quote.h"
-#include "report/figure_files.h"
+#include "common/parallel.h"
+#include "common/text/words.h"
 #include "report/json/ranking_json.h"
-#include "report/page/ranking_html.h"
+#include "report/page/reference_html.h"
 #include "report/page/terminal_report.h"
 #include "report/plots/gnuplot.h"
-#include "report/run_files.h"
+#include "report/run_folder.h"
 #include "report/suite/suite_files.h"
-#include "report/tables/formats/csv_format.h"
-#include "report/tables/formats/markdown_format.h"
-#include "report/tables/means_table.h"
+#include "report/tables/formats/text_formats.h"
 #include "report/tables/ranked_table.h"
 #include "study/judge/claims.h"
-#include "study/judge/sweep_result.h"
+#include "study/judge/ranking.h"
+#include "study/run/method_trial.h"
+#include "study/run/run_study.h"
 #include "study/spec/mask_files.h"
 #include "study/spec/resolved_study.h"
-#include "study/spec/study_inputs.h"
 
 namespace gnomon::cli {
+
+/// Does work that takes a StageProgress: that of the request, or a line on the terminal.
+template <typename Work>
+study::StudyRecord MeasuredCases::shown(const study::StudySpec& study, const Work& work) {
+  study::StageProgress progress = request_.progress;
+  if (!progress) {
+    progress = [this](std::string_view stage, double share) { line_.update(stage, share); };
+  }
+  store_.expectCases(isStep(study));
+  study::StudyRecord record = inStudy(study, [&] { return work(progress); });
+  line_.clear();
+  return record;
+}
+
+void MeasuredCases::prepare(const study::StudySpec& study) {
+  inStudy(study, [&] { study::tryMethods(study, gl_, cache_); });
+}
+
+study::StudyRecord MeasuredCases::measure(const study::StudySpec& study,
+                                          report::RunFolder& folder) {
+  line_.beginCase(study.name);
+  report::FolderWriter writer(folder, [this] { reports_.wait(); });
+  return shown(study, [&](const study::StageProgress& progress) {
+    return study::runStudy(study, gl_, writer, cache_, store_, progress);
+  });
+}
+
+study::StudyRecord MeasuredCases::measureFigures(const study::StudySpec& study) {
+  line_.beginCase(study.name);
+  return shown(study, [&](const study::StageProgress& progress) {
+    return study::runStudyFigures(study, gl_, cache_, store_, progress);
+  });
+}
+
+void MeasuredCases::report(const std::function<void()>& write) {
+  if (threadCount() > 1) return reports_.start(write);
+  write();
+}
+
 namespace fs = std::filesystem;
 namespace {
 

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "study/spec/resolved_study.h"
-#include "study/spec/study_inputs.h"
 
 namespace gnomon::cli {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "common/cancellation.h"
+#include "common/progress.h"
 
 #if defined(__SANITIZE_THREAD__)
 #include <array>

@@ -15,4 +15,8 @@ constexpr double radians(double degrees) {
   return degrees * pi / 180.0;
 }
 
+/// The number of degrees, with as few digits as it takes, whose `radians` are this number to the
+/// bit; the nearest where there is none (there always is for an angle that was read in degrees).
+double degreesOf(double angle);
+
 }  // namespace gnomon

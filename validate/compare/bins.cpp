@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 #include "compare/answer_pair.h"
-#include "compare/mask_checks.h"
+#include "compare/mask_metrics.h"
 
 namespace gnomon::compare {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "common/parallel.h"
-#include "compare/answer_groups.h"
+#include "compare/answer_pair.h"
 #include "compare/contour.h"
-#include "compare/mask_checks.h"
+#include "compare/mask_metrics.h"
 
 namespace gnomon::compare {
 namespace {
@@ -82,7 +82,7 @@ struct Outline {
   }
 };
 
-/// Compares a group of candidates (see answer_groups.h), to which the truth's contour is the same.
+/// Compares a group of candidates (see answer_pair.h), to which the truth's contour is the same.
 class Comparison {
  public:
   Comparison(std::span<const Mask* const> candidates, const Mask& truth, const SampleLayout& layout)

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/mask.h"
+#include "compare/mask_metrics.h"
 #include "compare/metric.h"
-#include "compare/sample_layout.h"
 
 namespace gnomon::compare {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/mask.h"
-#include "compare/sample_layout.h"
+#include "compare/mask_metrics.h"
 
 namespace gnomon::compare {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,9 +9,8 @@
 #include <vector>
 
 #include "common/mask.h"
-#include "common/visibility.h"
 #include "compare/confidence_interval.h"
-#include "compare/rates.h"
+#include "compare/counts.h"
 
 namespace gnomon::compare {
 
@@ -63,5 +63,38 @@ std::vector<Metric> maskMetrics(const ComparedMasks& masks);
 /// @throws as `blockErrors`
 ConfidenceInterval maskConfidence(std::span<const ComparedMasks> lights,
                                   std::span<const double> weights = {});
+
+/// Whether a sample has an answer: lit or shadowed.
+inline bool isAnswer(Shade shade) {
+  return shade == Shade::lit || shade == Shade::shadowed;
+}
+
+/// Whether a mask has an answer wherever the truth has one. Both are of one size.
+bool answersAllOf(const Mask& truth, const Mask& candidate);
+
+/// @throws InputError unless both masks hold what their widths and heights promise and are of one
+///   size
+void requireSameView(const Mask& candidate, const Mask& truth);
+
+/// The same of maps of visibility.
+void requireSameView(const Visibility& candidate, const Visibility& truth);
+
+/// @throws InputError unless there is one value a sample, or none at all
+void requireOnePerSample(std::size_t found, std::size_t samples, const char* what);
+
+/// How the samples of a view lie beside each other. As it stands: an image, measured in pixels.
+struct SampleLayout {
+  double columnStep = 1;  ///< from a column to the next, in the view's unit: pixels or texels
+  double rowStep = 1;     ///< from a row to the next, in that unit
+  /// Side, in samples, of the square tiles of an atlas in which neighbours in the picture are none
+  /// on the surface, once they are in different tiles. 0 where there are none.
+  int tileSide = 0;
+  /// One a sample: the neighbours from which a break in the surface parts it, as at the contour of
+  /// a fold. A sum of `breakRight` and `breakBelow`. Empty where the surface has none.
+  std::vector<std::uint8_t> breaks;
+};
+
+constexpr std::uint8_t breakRight = 1;  ///< between a sample and the one to its right
+constexpr std::uint8_t breakBelow = 2;  ///< between a sample and the one below
 
 }  // namespace gnomon::compare

@@ -8,11 +8,11 @@
 #include <cmath>
 
 #include "common/error.h"
+#include "common/lists.h"
 #include "common/parallel.h"
-#include "common/quantile.h"
 #include "common/vec.h"
-#include "compare/answer_groups.h"
-#include "compare/mask_checks.h"
+#include "compare/answer_pair.h"
+#include "compare/mask_metrics.h"
 
 namespace gnomon::compare {
 namespace {
@@ -115,7 +115,7 @@ struct Runs {
   std::vector<std::vector<double>> ratios;  ///< of each candidate's length over the truth's
 };
 
-/// Follows every run of the truth once for a group of candidates (see answer_groups.h). Candidates
+/// Follows every run of the truth once for a group of candidates (see answer_pair.h). Candidates
 /// whose sums are the truth's own so far share that.
 /// @tparam Word  of a sample's bits: walks look at scattered samples, so that small words keep more
 ///   of them near

@@ -9,7 +9,7 @@
 
 #include "common/mask.h"
 #include "common/raw_vector.h"
-#include "compare/rates.h"
+#include "compare/counts.h"
 
 namespace gnomon::compare {
 

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "common/mask.h"
-#include "common/visibility.h"
-#include "compare/rates.h"
+#include "compare/counts.h"
 #include "compare/shadow_length.h"
 
 namespace gnomon::compare {

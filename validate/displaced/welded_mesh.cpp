@@ -11,7 +11,7 @@
 
 #include "common/error.h"
 #include "common/system/memory.h"
-#include "displaced/displaced_points.h"
+#include "displaced/displaced_mesh.h"
 #include "surface/closed_surface.h"
 #include "surface/face_grids.h"
 

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <array>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "export/mesh_distance.h"
+#include "export/mesh_files.h"
 #include "horizon/table_file.h"
+#include "study/run/run_study.h"
 #include "study/run/scene/run_scene.h"
-#include "study/run/truth_study.h"
-#include "study/spec/file_names.h"
+#include "study/spec/sections/study_paths.h"
 
 namespace gnomon::exporting {
 
@@ -27,5 +30,14 @@ struct ExportedMesh {
 std::string exportJson(study::RunScene& scene, const study::StudyRecord& record,
                        const ExportedMesh& mesh, const horizon::StoredHorizons& tables,
                        double rayLift, const std::vector<std::vector<double>>& drawnUncertainties);
+
+/// Where the `export.json` of a mask's export would be: one and two folders up.
+std::array<std::filesystem::path, 2> exportIndices(const std::filesystem::path& truthMask);
+
+/// The uncertainty of a truth's mask or shares that lie in an export, a share of its samples: what
+/// its `export.json` states.
+/// @return none for any other file
+/// @throws InputError for an `export.json` that is damaged
+std::optional<double> exportedUncertainty(const std::filesystem::path& truthMask);
 
 }  // namespace gnomon::exporting

@@ -2,10 +2,11 @@
 
 #include <string>
 
+#include "displaced/welded_mesh.h"
 #include "report/run_folder.h"
+#include "study/run/run_study.h"
 #include "study/run/scene/run_scene.h"
-#include "study/run/truth_study.h"
-#include "study/spec/file_names.h"
+#include "study/spec/sections/study_paths.h"
 
 namespace gnomon::exporting {
 
@@ -29,5 +30,35 @@ void writeTruthMasks(report::RunFolder& folder, study::RunScene& scene);
 /// @param record  as `traceStudy` gives it
 void writeTruth(report::RunFolder& folder, study::RunScene& scene,
                 const study::StudyRecord& record);
+
+/// The parts of an export that are pictures; `exportJson` tells what they hold. All are written
+/// whole or not at all.
+
+/// `samples/VIEW.exr` and `roi/VIEW.png`.
+std::string sampleMapFile(const study::CaseNames& names, std::size_t view);
+std::string roiFile(const study::CaseNames& names, std::size_t view);
+
+/// Writes the height map as `heights.exr`, channel `height`, in height units; the first row is the
+/// one with the largest v.
+void writeHeights(report::RunFolder& folder, const relief::HeightField& field);
+
+/// The names of a sample map's channels, in the order that its NumPy file has them.
+const std::vector<std::string>& sampleChannels();
+
+/// Writes a sample map, in its three forms (sample_map.h), for every view of the standard base,
+/// whose truths are not needed. Channels:
+///   face, s, t          the sample; face is -1, and all else 0, where the truth has no answer
+///   texel.X, .Y         texture coordinates in texels
+///   base.X, .Y, .Z      P, on the undisplaced limit surface
+///   normal.X, .Y, .Z    n there, unit, outward
+///   point.X, .Y, .Z     the displaced point, where the truth's shadow ray starts
+///   facet.X, .Y, .Z     normal of the facet that holds it, unit, outward
+///   weight              area that the sample stands for in an atlas; 1 in a camera's view
+/// @throws MemoryError for a map that cannot fit
+void writeSampleMaps(report::RunFolder& folder, study::RunScene& scene,
+                     const truth::MicroMesh& mesh);
+
+/// Writes, for every view, where the truths have an answer: white there, black elsewhere.
+void writeRegionsOfInterest(report::RunFolder& folder, study::RunScene& scene);
 
 }  // namespace gnomon::exporting

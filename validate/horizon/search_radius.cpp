@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/parallel.h"
-#include "horizon/reference/osculating_horizon.h"
+#include "horizon/reference/height_profile.h"
 #include "surface/curvature.h"
 #include "surface/texel_frame.h"
 

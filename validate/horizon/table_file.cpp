@@ -11,10 +11,11 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/text/one_line.h"
-#include "image/channel_image.h"
+#include "common/text/words.h"
+#include "image/image.h"
 
 namespace gnomon::horizon {
+
 namespace {
 namespace fs = std::filesystem;
 

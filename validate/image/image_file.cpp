@@ -11,12 +11,9 @@
 
 #include "common/error.h"
 #include "common/system/memory.h"
-#include "common/text/one_line.h"
-#include "image/formats/bmp_header.h"
-#include "image/formats/exr_header.h"
-#include "image/formats/jpeg_header.h"
-#include "image/formats/packing.h"
-#include "image/formats/png_reader.h"
+#include "common/text/words.h"
+#include "image/formats/picture_headers.h"
+#include "image/formats/png.h"
 #include "image/image_module.h"
 
 namespace gnomon::image {

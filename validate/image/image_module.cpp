@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "common/system/own_files.h"
-#include "common/text/one_line.h"
+#include "common/text/words.h"
 
 namespace gnomon::image {
 namespace fs = std::filesystem;

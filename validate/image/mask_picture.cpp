@@ -3,12 +3,19 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "common/error.h"
 #include "image/grey_picture.h"
+#include "image/image.h"
+#include "image/images.h"
 
 namespace gnomon::image {
+
 namespace {
 
 bool isGrey(float value) {
@@ -16,7 +23,7 @@ bool isGrey(float value) {
   return std::abs(value - 128.0F / 255.0F) <= 1.01F * halfRounding;
 }
 
-/// The grey of a map of visibility, which no share has (share_picture.h).
+/// The grey of a map of visibility, which no share has.
 bool isSixteenBitGrey(float value) {
   return std::abs(value - 128.0F / 255.0F) <= 1e-5F;
 }
@@ -123,6 +130,189 @@ MaskPicture readMaskPicture(const std::filesystem::path& path, const MaskReading
   if (reading.inverted) invert(picture.mask);
   if (reading.upward) turnUpsideDown(picture.mask);
   return picture;
+}
+
+namespace {
+
+constexpr float grey = 128.0F / 255.0F;
+/// Less than a step of 16 bits, more than a half's rounding of the grey.
+constexpr float greyTolerance = 1e-5F;
+constexpr std::uint16_t greyLevel = 128 * 257;
+constexpr double mostLevel = 65535;
+
+bool isNoSampleGrey(float value) {
+  return std::abs(value - grey) <= greyTolerance;
+}
+
+std::uint16_t levelOf(float share) {
+  if (std::isnan(share)) return greyLevel;
+  const auto level =
+      static_cast<std::uint16_t>(std::lround(mostLevel * static_cast<double>(share)));
+  return level == greyLevel ? greyLevel - 1 : level;
+}
+
+float alphaOf(const GreyPicture& picture, std::size_t i) {
+  return picture.alphas.empty() ? 1.0F : picture.alphas[i];
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const GreyPicture& picture,
+                         std::size_t i, const char* expected) {
+  const auto width = static_cast<std::size_t>(picture.width);
+  throw InputError(fmt::format("{}: {} with alpha {} at column {}, row {}, {} expected",
+                               path.string(), picture.values[i], alphaOf(picture, i), i % width,
+                               i / width, expected));
+}
+
+float shareAt(const std::filesystem::path& path, const GreyPicture& picture, std::size_t i,
+              bool isInverted) {
+  const float alpha = alphaOf(picture, i);
+  if (alpha == 0) return noSample;
+  if (alpha != 1) refuse(path, picture, i, "alpha 0 or 1");
+  const float value = picture.values[i];
+  if (!(value >= 0 && value <= 1)) refuse(path, picture, i, "a share of 0 to 1");
+  if (isNoSampleGrey(value)) return noSample;
+  return isInverted ? 1 - value : value;
+}
+
+void turnUpsideDown(Visibility& map) {
+  const auto width = static_cast<std::ptrdiff_t>(map.width);
+  for (std::ptrdiff_t top = 0, bottom = map.height - 1; top < bottom; ++top, --bottom) {
+    std::swap_ranges(map.shares.begin() + top * width, map.shares.begin() + (top + 1) * width,
+                     map.shares.begin() + bottom * width);
+  }
+}
+
+Rgb mixed(const Rgb& from, const Rgb& to, double share) {
+  Rgb colour{};
+  for (std::size_t k = 0; k < colour.size(); ++k) {
+    colour[k] = static_cast<std::uint8_t>(std::lround(from[k] + share * (to[k] - from[k])));
+  }
+  return colour;
+}
+
+Rgb differenceColour(float candidate, float truth) {
+  using Colours = DifferenceColours;
+  if (std::isnan(truth)) return Colours::none;
+  const Rgb base = mixed(Colours::bothShadowed, Colours::bothLit, static_cast<double>(truth));
+  const double off = static_cast<double>(candidate) - static_cast<double>(truth);
+  return mixed(base, off > 0 ? Colours::falseLight : Colours::falseShadow, std::abs(off));
+}
+
+/// What a colour of a signed difference tells.
+struct SharesOfColour {
+  double candidate, truth;
+};
+
+/// The inverse of differenceColour: only an error's colour has tint, and the rest is the grey of
+/// the truth's share.
+SharesOfColour sharesOfColour(const Rgb& colour) {
+  using Colours = DifferenceColours;
+  const bool isDarker = colour[0] > colour[2];
+  const Rgb& error = isDarker ? Colours::falseShadow : Colours::falseLight;
+  const double off =
+      std::min(1.0, static_cast<double>(colour[0] - colour[2]) / (error[0] - error[2]));
+  const double level = off < 1 ? (colour[1] - off * error[1]) / (1 - off) : 0;
+  const double share =
+      (level - Colours::bothShadowed[1]) / (Colours::bothLit[1] - Colours::bothShadowed[1]);
+  // The candidate's share is one, too.
+  const double truth = isDarker ? std::clamp(share, off, 1.0) : std::clamp(share, 0.0, 1 - off);
+  return {isDarker ? truth - off : truth + off, truth};
+}
+
+/// @throws InputError for a colour that no signed difference has
+float candidateOf(const Rgb& colour, const std::filesystem::path& path) {
+  if (colour == DifferenceColours::none) return noSample;
+  const SharesOfColour shares = sharesOfColour(colour);
+  const auto candidate = static_cast<float>(shares.candidate);
+  const Rgb expected = differenceColour(candidate, static_cast<float>(shares.truth));
+  for (std::size_t k = 0; k < colour.size(); ++k) {
+    if (std::abs(colour[k] - expected[k]) <= 2) continue;
+    throw InputError(
+        fmt::format("{}: a colour found that no signed difference has", path.string()));
+  }
+  return candidate;
+}
+
+void requireSameSamples(const Visibility& candidate, const Visibility& truth) {
+  if (candidate.width != truth.width || candidate.height != truth.height) {
+    throw InputError(fmt::format("candidate: {} x {} samples, but the truth has {} x {}",
+                                 candidate.width, candidate.height, truth.width, truth.height));
+  }
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (std::isnan(candidate.shares[i]) == std::isnan(truth.shares[i])) continue;
+    const auto width = static_cast<std::size_t>(truth.width);
+    throw InputError(fmt::format("maps: column {}, row {} has a sample in only one of the two",
+                                 i % width, i / width));
+  }
+}
+
+}  // namespace
+
+std::string sharePng(const Visibility& map) {
+  GreyImage image{map.width, map.height, {}};
+  image.values.reserve(map.size());
+  for (const float share : map.shares) image.values.push_back(levelOf(share));
+  return pngOf(image);
+}
+
+std::string shareExr(const Visibility& map) {
+  ChannelImage image{map.width, map.height, {"V", "A"}, {}};
+  image.values.reserve(2 * map.size());
+  for (const float share : map.shares) {
+    const bool isThere = !std::isnan(share);
+    image.values.push_back(!isThere                ? 0.0F
+                           : isNoSampleGrey(share) ? grey - 2 * greyTolerance
+                                                   : share);
+    image.values.push_back(isThere ? 1.0F : 0.0F);
+  }
+  return exrBytes(image);
+}
+
+Visibility readSharePicture(const std::filesystem::path& path, const MaskReading& reading) {
+  const GreyPicture picture = readGreyPicture(path, reading.channel);
+  Visibility map{picture.width, picture.height, {}};
+  map.shares.reserve(picture.values.size());
+  for (std::size_t i = 0; i < picture.values.size(); ++i) {
+    map.shares.push_back(shareAt(path, picture, i, reading.inverted));
+  }
+  if (reading.upward) turnUpsideDown(map);
+  return map;
+}
+
+bool holdsShares(const std::filesystem::path& path, const MaskReading& reading) {
+  const GreyPicture picture = readGreyPicture(path, reading.channel);
+  if (picture.integerBits == 8) return false;
+  for (std::size_t i = 0; i < picture.values.size(); ++i) {
+    const float value = picture.values[i];
+    if (alphaOf(picture, i) != 0 && value > 0 && value < 1 && !isNoSampleGrey(value)) return true;
+  }
+  return false;
+}
+
+Image shareDifferenceImage(const Visibility& candidate, const Visibility& truth) {
+  requireSameSamples(candidate, truth);
+  Image image{truth.width, truth.height, {}};
+  image.rgb.reserve(3 * truth.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const Rgb colour = differenceColour(candidate.shares[i], truth.shares[i]);
+    image.rgb.insert(image.rgb.end(), colour.begin(), colour.end());
+  }
+  return image;
+}
+
+Visibility sharesOfDifference(const std::filesystem::path& path) {
+  std::array<GreyPicture, 3> channels;
+  for (std::size_t k = 0; k < 3; ++k) channels[k] = readGreyPicture(path, std::string(1, "RGB"[k]));
+  Visibility map{channels[0].width, channels[0].height, {}};
+  map.shares.reserve(channels[0].values.size());
+  for (std::size_t i = 0; i < channels[0].values.size(); ++i) {
+    Rgb colour{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      colour[k] = static_cast<std::uint8_t>(std::lround(255 * channels[k].values[i]));
+    }
+    map.shares.push_back(candidateOf(colour, path));
+  }
+  return map;
 }
 
 }  // namespace gnomon::image

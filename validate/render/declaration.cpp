@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "common/error.h"
-#include "common/text/one_line.h"
 #include "common/text/toml_nesting.h"
+#include "common/text/words.h"
 
 namespace gnomon::render {
 

@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "common/quantile.h"
+#include "common/lists.h"
 #include "render/gl_context.h"
-#include "render/gl_handles.h"
+#include "render/gl_objects.h"
 
 namespace gnomon::render {
 namespace {

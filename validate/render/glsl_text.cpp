@@ -3,8 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "common/error.h"
+#include "common/system/memory.h"
 
 namespace gnomon::render {
+
 namespace {
 
 bool isWordCharacter(char c) {
@@ -134,6 +143,125 @@ std::optional<std::string> placeOfWord(const std::vector<ShaderPiece>& code,
     if (line) return fmt::format("{}:{}", piece.file, piece.firstLine + *line - 1);
   }
   return std::nullopt;
+}
+
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t mostIncludes = 32;
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// What follows `#include` in a line; nothing in other lines.
+std::optional<std::string_view> includeIn(std::string_view line) {
+  std::string_view rest = trimmed(line);
+  if (!rest.starts_with('#')) return std::nullopt;
+  rest = trimmed(rest.substr(1));
+  constexpr std::string_view word = "include";
+  if (!rest.starts_with(word)) return std::nullopt;
+  return trimmed(rest.substr(word.size()));
+}
+
+/// Whether a comment goes on after a line.
+bool isInComment(std::string_view line, bool before) {
+  bool inside = before;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const std::string_view two = line.substr(i, 2);
+    if (!inside && two == "//") return false;
+    if (two != (inside ? "*/" : "/*")) continue;
+    inside = !inside;
+    ++i;
+  }
+  return inside;
+}
+
+class Includer {
+ public:
+  explicit Includer(const fs::path& first) : root_(first.parent_path()) {}
+
+  void append(const fs::path& path, const ShaderPiece& file) {
+    open_.push_back(path.lexically_normal());
+    const std::string_view text = file.text;
+    std::size_t begin = 0;  // of what has not been appended
+    std::size_t firstLine = 1;
+    std::size_t number = 0;
+    bool inComment = false;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = std::min(text.find('\n', at), text.size());
+      const std::string_view line = text.substr(at, end - at);
+      ++number;
+      const auto named = inComment ? std::nullopt : includeIn(line);
+      inComment = isInComment(line, inComment);
+      if (named) {
+        add(file, text.substr(begin, at - begin), firstLine);
+        include(path, fmt::format("{}:{}: ", file.file, number), *named);
+        begin = std::min(end + 1, text.size());
+        firstLine = number + 1;
+      }
+      at = end + 1;
+    }
+    add(file, text.substr(begin), firstLine);
+    open_.pop_back();
+  }
+
+  IncludedCode code;
+
+ private:
+  void add(const ShaderPiece& file, std::string_view text, std::size_t firstLine) {
+    const bool isOnlyOne = open_.size() == 1 && firstLine == 1;
+    if (!text.empty() || isOnlyOne) {
+      code.pieces.push_back({file.file, std::string(text), firstLine});
+    }
+  }
+
+  void include(const fs::path& from, const std::string& place, std::string_view named) {
+    if (named.size() < 3 || named.front() != '"' || named.find('"', 1) != named.size() - 1) {
+      throw InputError(place + "#include \"FILE\" expected, in a line of its own");
+    }
+    const fs::path name(named.substr(1, named.size() - 2));
+    const fs::path path = (from.parent_path() / name).lexically_normal();
+    const fs::path inside = path.lexically_relative(root_.lexically_normal());
+    const bool isOutside = !root_.empty() && (inside.empty() || *inside.begin() == "..");
+    const bool isAbove = root_.empty() && *path.begin() == "..";
+    if (name.is_absolute() || isOutside || isAbove) {
+      throw InputError(
+          fmt::format("{}#include {}: a file in the folder of the method expected", place, named));
+    }
+    if (std::find(open_.begin(), open_.end(), path) != open_.end()) {
+      throw InputError(fmt::format("{}#include {}: this file includes itself", place, named));
+    }
+    if (std::find(known_.begin(), known_.end(), path) != known_.end()) return;
+    known_.push_back(path);
+    std::error_code failure;
+    if (!fs::is_regular_file(path, failure)) {
+      throw InputError(fmt::format("{}#include {}: no file {}", place, named, path.string()));
+    }
+    bytes_ += fs::file_size(path, failure);
+    if (known_.size() > mostIncludes || bytes_ > mostShaderBytes) {
+      throw InputError(fmt::format("{}#include {}: at most {} files of {} in all expected", place,
+                                   named, mostIncludes,
+                                   formatBytes(static_cast<double>(mostShaderBytes))));
+    }
+    code.includes.push_back(readShader(path));
+    append(path, ShaderPiece(code.includes.back()));
+  }
+
+  fs::path root_;
+  std::vector<fs::path> open_;   ///< the files that the place lies in
+  std::vector<fs::path> known_;  ///< all that are included
+  std::uintmax_t bytes_ = 0;
+};
+
+}  // namespace
+
+IncludedCode expandIncludes(const fs::path& path, const ShaderPiece& file) {
+  Includer includer(path);
+  includer.append(path, file);
+  return std::move(includer.code);
 }
 
 }  // namespace gnomon::render

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -15,9 +16,9 @@
 #include "common/system/memory.h"
 #include "render/declaration.h"
 #include "render/glsl_text.h"
-#include "render/includes.h"
 
 namespace gnomon::render {
+
 namespace fs = std::filesystem;
 namespace {
 
@@ -383,6 +384,18 @@ std::vector<std::string> methodNames(const fs::path& shaders) {
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+std::optional<std::string> softDefine(const Method& method, SoftAnswer soft) {
+  const bool isDisc = soft == SoftAnswer::disc;
+  if (isDisc && !method.hasHorizon) {
+    throw InputError(fmt::format(
+        "method {}: no function `float horizonSlope(Pixel pixel, LocalLight light)` in {}, which "
+        "the light's disc could be held against",
+        method.name, method.source.file));
+  }
+  if (!isDisc && !method.answersShares) return std::nullopt;
+  return isDisc ? "ANSWER_DISC" : "ANSWER_SHARE";
 }
 
 }  // namespace gnomon::render

@@ -1,18 +1,43 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/bakes/method_bake.h"
-#include "render/method_mark.h"
+#include "render/passes/method_texture.h"
 #include "render/passes/own_pass.h"
 #include "render/shader_files.h"
-#include "render/textures/method_texture.h"
 
 namespace gnomon::render {
+
+/// The families that a method's file can name, by what the method knows of the surface. Plots give
+/// each a colour of its own.
+constexpr std::array<std::string_view, 7> methodFamilies = {
+    "control",    // no shadow method: what every method must beat
+    "flat",       // tables of the height map as if the surface were flat
+    "curvature",  // such tables, corrected by the surface's curvature
+    "march",      // the height map, marched toward the light
+    "displaced",  // shadows of the displaced mesh
+    "engine",     // what engines ship: occlusion and other approximations of tables or marches
+    "ours",       // this project's own
+};
+
+/// The symbols that it can name. Plots tell the methods of a family apart by them.
+constexpr std::array<std::string_view, 9> methodSymbols = {
+    "circle", "square", "triangle", "inverted-triangle", "diamond", "pentagon",
+    "plus",   "cross",  "star"};
+
+/// What a method's file says of how plots draw it; empty where it says nothing.
+struct MethodMark {
+  std::string family;  ///< one of methodFamilies
+  std::string symbol;  ///< one of methodSymbols
+  bool operator==(const MethodMark&) const = default;
+};
 
 /// What a parameter is in the method's GLSL.
 enum class ParameterKind {
@@ -156,5 +181,15 @@ std::filesystem::path methodFile(const std::filesystem::path& shaders, const std
 
 /// Names of all methods in the shader folder, sorted.
 std::vector<std::string> methodNames(const std::filesystem::path& shaders);
+
+/// What a method says of a soft light.
+enum class SoftAnswer {
+  own,   ///< its `visibility`; 0 or 1 where its file has none
+  disc,  ///< its horizon held against the disc by the closed form, `shareOver` of disc.glsl
+};
+
+/// The define of a method's soft answers; none where it has only 0 and 1 to say.
+/// @throws InputError for a disc without a horizon
+std::optional<std::string> softDefine(const Method& method, SoftAnswer soft);
 
 }  // namespace gnomon::render

@@ -29,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> declarat
      {"NEEDS_CAMERA", R"(needs = "camera")"},
      {"PASS_CAMERA_DEPTH", R"(passes = ["camera-depth"])"}}};
 
-std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
+std::vector<std::string> allMatches(const std::string& text, const std::regex& pattern) {
   std::vector<std::string> found;
   for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
     found.push_back((*match)[1]);
@@ -40,7 +40,7 @@ std::vector<std::string> matches(const std::string& text, const std::regex& patt
 /// "a" and "b" of "vec2 a, b;".
 std::vector<std::string> membersIn(const std::string& line) {
   static const std::regex member(R"((\w+)(?=[,;]))");
-  return matches(line.substr(0, line.find("//")), member);
+  return allMatches(line.substr(0, line.find("//")), member);
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::vector<SharedName> namesIn(const ShaderPiece& text, const std::vector<std::
   std::istringstream lines(text.text);
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("}")) isInBody = isInStructure = false;
-    if (!isInBody && line.starts_with("#if")) defines = matches(line, defined);
+    if (!isInBody && line.starts_with("#if")) defines = allMatches(line, defined);
     if (!isInBody && line.starts_with("#endif")) defines = always;
     if (isInStructure) {
       for (std::string& member : membersIn(line)) names.back().members.push_back(std::move(member));

@@ -5,7 +5,7 @@
 
 #include "common/lists.h"
 #include "report/tables/cost_table.h"
-#include "study/judge/study_ranking.h"
+#include "study/judge/ranking.h"
 
 namespace gnomon::report {
 namespace {

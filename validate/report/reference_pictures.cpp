@@ -7,7 +7,7 @@
 
 #include "common/files/atomic_file.h"
 #include "image/images.h"
-#include "image/share_picture.h"
+#include "image/mask_picture.h"
 
 namespace gnomon::report {
 namespace fs = std::filesystem;

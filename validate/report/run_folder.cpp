@@ -4,14 +4,36 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "common/files/disk_sync.h"
+#include "image/image.h"
+#include "image/images.h"
+#include "image/mask_picture.h"
+#include "report/json/ranking_json.h"
+#include "report/json/summary_json.h"
+#include "report/page/case_html.h"
+#include "report/page/report_html.h"
+#include "report/page/sweep_html.h"
+#include "report/paper/paper_files.h"
+#include "report/plots/study_plots.h"
+#include "report/plots/sweep_plots.h"
+#include "report/plotted_methods.h"
+#include "report/tables/budget_table.h"
+#include "report/tables/case_tables.h"
+#include "report/tables/cost_table.h"
+#include "report/tables/formats/formats.h"
+#include "report/tables/formats/text_formats.h"
+#include "report/tables/ranked_table.h"
+#include "report/tables/sweep_tables.h"
+#include "report/view_images.h"
 
 namespace gnomon::report {
+
 namespace fs = std::filesystem;
 namespace {
 
@@ -205,6 +227,126 @@ void RunFolder::finish(std::string_view index) {
   syncFileSystem(path());
   replaceFile(path() / kind_.index, index, Sync::now, path());
   takePlace();
+}
+
+namespace {
+
+/// Draws the plots of the methods that they show, and writes them.
+std::vector<DrawnPlot> writePlots(const std::vector<LinePlot>& plots, RunFolder& folder,
+                                  cache::Cache& cache) {
+  std::vector<DrawnPlot> drawn = drawPlots(sheetsOf(plots), &cache);
+  for (const DrawnPlot& plot : drawn) {
+    folder.write(fmt::format("plots/{}.svg", plot.sheet.name), plot.svg);
+    folder.write(fmt::format("plots/{}.pdf", plot.sheet.name), plot.pdf);
+  }
+  return drawn;
+}
+
+}  // namespace
+
+void writeRunFiles(const study::StudyRecord& record, const PaperOptions& paper, RunFolder& folder,
+                   cache::Cache& cache) {
+  folder.write("metrics.csv", csvTable(metricsTable(record)));
+  const Table ranked = rankedTable(record, study::rankMethods(record));
+  for (const TableFormat& format : tableFormats()) {
+    if (format.isFile) folder.write(fmt::format("table.{}", format.name), format.print(ranked));
+  }
+  writePaperFiles(record, paper, folder);
+  const auto writeRows = [&](const char* name, const Table& table) {
+    if (!table.rows.empty()) folder.write(name, csvTable(table));
+  };
+  writeRows("bins.csv", binsTable(record));
+  writeRows("frontier.csv", frontierTable(frontier(record, Price::memory)));
+  writeRows("budget.csv", budgetPartsTable(record));
+  const std::vector<DrawnPlot> plots =
+      writePlots(studyPlots(record, plottedMethods(study::studyMeans(record))), folder, cache);
+  for (const CasePage& page : casePages(record, folder.path())) {
+    folder.write(page.file, page.page.text());
+  }
+  folder.write("report.html", reportHtml(record, folder.path(), plots).text());
+  folder.finish(summaryJson(record));
+}
+
+void writeSweepFiles(const study::SweepRecord& sweep, const PaperOptions& paper, RunFolder& folder,
+                     cache::Cache& cache) {
+  folder.write("sweep.csv", csvTable(sweepMeansTable(sweep)));
+  folder.write("cases.csv", longCsv(sweep));
+  writePaperFiles(sweep, paper, folder);
+  const std::vector<DrawnPlot> plots =
+      writePlots(sweepPlots(sweep, plottedMethods(study::studyMeans(sweep))), folder, cache);
+  folder.write("report.html", sweepHtml(sweep, plots).text());
+  folder.finish(sweepJson(sweep));
+}
+
+study::StudyRecord figuresAlone(study::StudyRecord record, bool isStep) {
+  record.timings.clear();
+  record.cache.reset();
+  record.truth.bvhBytes.reset();
+  record.environment.threads = 0;
+  if (isStep) record.bins = {};
+  return record;
+}
+
+void writeFigureFiles(const study::StudyRecord& record, RunFolder& folder) {
+  folder.write("cases.csv", longCsv(record));
+  folder.finish(summaryJson(record));
+}
+
+void writeFigureFiles(const study::SweepRecord& sweep, RunFolder& folder) {
+  folder.write("cases.csv", longCsv(sweep));
+  folder.finish(sweepJson(sweep));
+}
+
+std::string FolderWriter::mask(const Mask& mask) const {
+  return image::pngOf(image::maskImage(mask));
+}
+
+std::string FolderWriter::shares(const Visibility& map) const {
+  return image::sharePng(map);
+}
+
+std::string FolderWriter::regions(const truth::Truth& truth) const {
+  return image::pngOf(regionImage(truth));
+}
+
+std::string FolderWriter::weights(int width, int height, const std::vector<double>& weights) const {
+  image::ChannelImage image{width, height, {"area"}, {}};
+  image.values.reserve(weights.size());
+  for (const double weight : weights) image.values.push_back(static_cast<float>(weight));
+  return image::exrBytes(image);
+}
+
+std::string FolderWriter::picture(int width, int height, std::vector<std::uint8_t> rgb) const {
+  return image::pngOf(image::Image{width, height, std::move(rgb)});
+}
+
+std::string FolderWriter::difference(const Mask& candidate, const Mask& truth) const {
+  return image::pngOf(image::differenceImage(candidate, truth));
+}
+
+std::string FolderWriter::difference(const Visibility& candidate, const Visibility& truth) const {
+  return image::pngOf(image::shareDifferenceImage(candidate, truth));
+}
+
+std::string FolderWriter::embedded(int width, int height, std::vector<std::uint8_t> rgb,
+                                   study::EmbeddedSize size) const {
+  const image::Image image{width, height, std::move(rgb)};
+  return size == study::EmbeddedSize::small
+             ? image::webPicture(image, image::smallQuality, image::smallSide)
+             : image::webPicture(image, image::fineQuality);
+}
+
+std::vector<std::uint8_t> FolderWriter::displaced(int width, int height,
+                                                  const std::vector<float>& light) const {
+  return displacedImage(width, height, light).rgb;
+}
+
+void FolderWriter::beQuiet() {
+  if (quiet_) quiet_();
+}
+
+void FolderWriter::write(const std::string& path, const std::string& bytes) {
+  folder_.write(path, bytes);
 }
 
 }  // namespace gnomon::report

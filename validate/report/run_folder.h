@@ -1,14 +1,21 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "cache/cache.h"
 #include "common/files/part_file.h"
+#include "report/paper/paper_options.h"
+#include "study/record/record.h"
+#include "study/record/sweep_record.h"
+#include "study/run/stages/run_writer.h"
 
 namespace gnomon::report {
 
@@ -80,6 +87,68 @@ class RunFolder {
   std::set<std::string> names_;
   std::shared_ptr<PartFolder> part_;  ///< none before `clear`, and of a shared kind
   std::filesystem::path below_;       ///< relative to the part folder; of one in another
+};
+
+/// The files of a run beside its pictures. Each is written whole or not at all.
+
+/// Writes a study's: metrics.csv, bins.csv, frontier.csv, budget.csv (where there are any), its
+/// ranked table as table.csv and .md, what papers take (paper_files.h), plots/NAME.svg and .pdf,
+/// report.html, and last summary.json, so that its presence says that the run is whole. An older
+/// one goes first.
+/// @param cache  keeps plots
+/// @throws InputError for a file that cannot be written or a picture that cannot be read;
+///   InternalError as the writers
+void writeRunFiles(const study::StudyRecord& record, const PaperOptions& paper, RunFolder& folder,
+                   cache::Cache& cache);
+
+/// Writes a sweep's: sweep.csv, cases.csv, what papers take, its plots as plots/*.svg and .pdf,
+/// report.html, summary.json.
+/// @throws likewise
+void writeSweepFiles(const study::SweepRecord& sweep, const PaperOptions& paper, RunFolder& folder,
+                     cache::Cache& cache);
+
+/// What a run with `--metrics-only` leaves: figures, and nothing that two runs of the same study
+/// with the same program do not share. Folders are the same, byte for byte.
+
+/// A record without what tells of the run alone: times, threads, the cache's counts, and the memory
+/// of the ray tracing structure.
+/// @param isStep  of a sweep, whose long table has no bins: these go too
+study::StudyRecord figuresAlone(study::StudyRecord record, bool isStep);
+
+/// Writes cases.csv (longCsv), then summary.json.
+/// @throws InputError for a file that cannot be written
+void writeFigureFiles(const study::StudyRecord& record, RunFolder& folder);
+/// Likewise a sweep's.
+void writeFigureFiles(const study::SweepRecord& sweep, RunFolder& folder);
+
+/// Writes the pictures of a run into its folder, as PNG files; what a page embeds is WebP.
+class FolderWriter : public study::RunWriter {
+ public:
+  /// @param folder  outlives the writer
+  /// @param quiet   waits for what goes on beside the run
+  explicit FolderWriter(RunFolder& folder, std::function<void()> quiet = {})
+      : folder_(folder), quiet_(std::move(quiet)) {}
+
+  [[nodiscard]] std::string mask(const Mask& mask) const override;
+  [[nodiscard]] std::string shares(const Visibility& map) const override;
+  [[nodiscard]] std::string regions(const truth::Truth& truth) const override;
+  [[nodiscard]] std::string weights(int width, int height,
+                                    const std::vector<double>& weights) const override;
+  [[nodiscard]] std::string picture(int width, int height,
+                                    std::vector<std::uint8_t> rgb) const override;
+  [[nodiscard]] std::string difference(const Mask& candidate, const Mask& truth) const override;
+  [[nodiscard]] std::string difference(const Visibility& candidate,
+                                       const Visibility& truth) const override;
+  [[nodiscard]] std::string embedded(int width, int height, std::vector<std::uint8_t> rgb,
+                                     study::EmbeddedSize size) const override;
+  [[nodiscard]] std::vector<std::uint8_t> displaced(int width, int height,
+                                                    const std::vector<float>& light) const override;
+  void write(const std::string& path, const std::string& bytes) override;
+  void beQuiet() override;
+
+ private:
+  RunFolder& folder_;
+  std::function<void()> quiet_;
 };
 
 }  // namespace gnomon::report

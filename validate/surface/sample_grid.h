@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "surface/limit_surface.h"
-#include "surface/surface_sample.h"
 
 namespace gnomon::surface {
 

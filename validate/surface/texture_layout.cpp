@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "common/parallel.h"
-#include "surface/shared_sides.h"
+#include "surface/closed_surface.h"
 
 namespace gnomon::surface {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "common/counted_progress.h"
 #include "common/parallel.h"
+#include "common/progress.h"
 #include "truth/flush_denormals.h"
 
 namespace gnomon::truth {

@@ -11,7 +11,7 @@ namespace gnomon::truth {
 
 /// Why a sample is lit or shadowed. Every sample of a view is in exactly one of these regions,
 /// where several hold in the first of: beyondTerminator, attached, global, distant, cast. The
-/// region `seam` overlaps them (see seam_crossing.h).
+/// region `seam` overlaps them (see surface_paths.h).
 enum class Region : std::uint8_t {
   none,              ///< no sample, or no frame there
   lit,               ///< the light reaches it
@@ -20,7 +20,7 @@ enum class Region : std::uint8_t {
   distant,           ///< shadowed only by an occluder beyond that radius
   beyondTerminator,  ///< the undisplaced surface is turned from the light, n·L ≤ 0: lit or not
   global,            ///< shadowed from where the path over the surface does not lead: another limb,
-                     ///< the body's far side, another body; see cast_shadows.h
+                     ///< the body's far side, another body; see surface_paths.h
 };
 
 /// As reports and thresholds spell it: "lit", "attached", "cast", "distant", "global",
@@ -33,7 +33,7 @@ inline constexpr std::array reportedRegions = {Region::lit,    Region::attached,
                                                Region::global, Region::beyondTerminator};
 
 /// The name, in reports and thresholds, of the region of samples whose path crosses a seam (see
-/// seam_crossing.h). It overlaps the regions of `Region`: such a sample is also lit or shadowed.
+/// surface_paths.h). It overlaps the regions of `Region`: such a sample is also lit or shadowed.
 constexpr std::string_view seamRegion = "seam";
 
 /// The regions of a surface with parts, which overlap those of `Region` too. Receivers first: a

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "common/counted_progress.h"
 #include "common/parallel.h"
+#include "common/progress.h"
 #include "common/system/memory.h"
 
 namespace gnomon::truth {

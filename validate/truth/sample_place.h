@@ -5,7 +5,6 @@
 
 #include "common/progress.h"
 #include "common/raw_vector.h"
-#include "surface/limit_face.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 #include "surface/texel_frame.h"

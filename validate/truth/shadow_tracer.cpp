@@ -5,12 +5,14 @@
 #include <atomic>
 #include <utility>
 
-#include "common/counted_progress.h"
 #include "common/error.h"
 #include "common/parallel.h"
+#include "common/progress.h"
 #include "truth/flush_denormals.h"
+#include "truth/sample_place.h"
 
 namespace gnomon::truth {
+
 namespace {
 
 constexpr std::size_t tileSide = 4;
@@ -172,6 +174,22 @@ double flipRate(const Mask& a, const Mask& b) {
     flips += a.samples[i] != b.samples[i] ? 1 : 0;
   }
   return compared == 0 ? 0.0 : static_cast<double>(flips) / static_cast<double>(compared);
+}
+
+std::optional<Occluder> firstOccluder(const surface::LimitSurface& surface,
+                                      const relief::Relief& relief, const MicroMesh& mesh,
+                                      const MicroScene& scene, const OccluderQuery& query) {
+  SamplePlacer placer(surface, relief.texelsPerUv(), mesh);
+  const SamplePlace place = placer.place(query.sample);
+  if (!place.defined) return std::nullopt;
+  const Facet& facet = place.facet;
+  if (facet.facesAwayFrom(query.light)) {
+    return Occluder{mesh.centre() + facet.point, 0, true};
+  }
+  const Vec3 origin = facet.rayOrigin(mesh.rayOffset(query.rayOffset));
+  const auto hit = scene.nearest(origin, query.light);
+  if (!hit) return std::nullopt;
+  return Occluder{mesh.centre() + origin + hit->distance * query.light, hit->distance, false};
 }
 
 }  // namespace gnomon::truth

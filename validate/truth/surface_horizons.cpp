@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "common/counted_progress.h"
 #include "common/parallel.h"
+#include "common/progress.h"
 #include "common/system/memory.h"
 #include "surface/texel_frame.h"
 #include "truth/flush_denormals.h"

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "model/cross_section.h"
-#include "truth/occluder.h"
+#include "truth/shadow_tracer.h"
 #include "viewer/panes/layout.h"
 #include "viewer/session/view_session.h"
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/bakes/bake_pass.h"
 #include "render/passes/drawing.h"
@@ -108,6 +110,27 @@ class DrawnScene {
   std::map<std::string, OwnBakes> ownBakes_;
   std::map<std::string, Compiled> passes_;
   std::map<std::string, std::string> errors_;
+};
+
+/// Notices that a shader's file has changed, by its time, twice a second at most.
+class ShaderWatch {
+ public:
+  explicit ShaderWatch(std::filesystem::path shaders);
+
+  /// Also these files, wherever they are: methods of the person's own.
+  void watch(std::vector<std::filesystem::path> files);
+  /// Whether a file has changed, come or gone since the last call.
+  bool changed();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using Times = std::vector<std::pair<std::filesystem::path, std::filesystem::file_time_type>>;
+  [[nodiscard]] Times times() const;
+
+  std::filesystem::path shaders_;
+  std::vector<std::filesystem::path> files_;
+  Times last_;
+  Clock::time_point looked_;
 };
 
 }  // namespace gnomon::app

@@ -7,8 +7,8 @@
 #include "render/method.h"
 #include "render/shader_files.h"
 #include "study/spec/method_replacement.h"
-#include "study/spec/study_inputs.h"
-#include "study/spec/study_table.h"
+#include "study/spec/resolved_study.h"
+#include "study/spec/study_file.h"
 #include "study/spec/toml/toml_reader.h"
 
 namespace gnomon::app {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands/view_request.h"
+#include "cli/commands/view_command.h"
 #include "study/spec/study_file.h"
 
 namespace gnomon::app {

@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 #include "image/images.h"
-#include "image/share_picture.h"
+#include "image/mask_picture.h"
 #include "render/gl_objects.h"
 
 namespace gnomon::app {

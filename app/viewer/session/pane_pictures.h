@@ -9,9 +9,8 @@
 #include <string>
 
 #include "model/pane_figures.h"
-#include "render/passes/line_pass.h"
-#include "render/passes/passes.h"
-#include "render/target.h"
+#include "render/gl_objects.h"
+#include "render/passes/drawing.h"
 #include "viewer/session/drawn_scene.h"
 #include "viewer/session/truth_worker.h"
 #include "viewer/session/view_state.h"

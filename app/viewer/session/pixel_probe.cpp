@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "model/cross_section.h"
-#include "truth/cast_shadows.h"
 #include "truth/shadow_tracer.h"
+#include "truth/surface_paths.h"
 
 namespace gnomon::app {
 namespace {

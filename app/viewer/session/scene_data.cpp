@@ -7,10 +7,10 @@
 #include <span>
 
 #include "common/error.h"
-#include "horizon/horizon_ellipses.h"
+#include "horizon/angle_table.h"
 #include "horizon/texel_scale.h"
 #include "study/run/scene/run_keys.h"
-#include "study/spec/with_keys.h"
+#include "study/spec/method_replacement.h"
 
 namespace gnomon::app {
 namespace {

@@ -13,7 +13,7 @@
 #include "horizon/angle_table.h"
 #include "horizon/horizon_bake.h"
 #include "horizon/stored_table.h"
-#include "model/field_lines.h"
+#include "model/cross_section.h"
 #include "render/method.h"
 #include "study/run/method_trial.h"
 #include "study/run/scene/base_case.h"

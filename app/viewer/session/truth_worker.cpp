@@ -5,8 +5,8 @@
 #include <span>
 
 #include "common/error.h"
-#include "model/field_lines.h"
-#include "report/pictures/displaced_image.h"
+#include "model/cross_section.h"
+#include "report/view_images.h"
 #include "truth/displaced_picture.h"
 #include "truth/shadow_tracer.h"
 #include "truth/surface_horizons.h"

@@ -7,7 +7,7 @@
 
 #include "common/camera.h"
 #include "image/image.h"
-#include "model/answers.h"
+#include "model/pane_figures.h"
 #include "model/progressive_order.h"
 #include "surface/sample_grid.h"
 #include "truth/micro_mesh.h"

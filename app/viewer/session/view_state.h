@@ -8,8 +8,8 @@
 
 #include "common/camera.h"
 #include "model/light_angles.h"
+#include "model/picking.h"
 #include "model/saved_study.h"
-#include "model/view_part.h"
 
 namespace gnomon::app {
 

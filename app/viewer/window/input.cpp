@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "model/orbit.h"
+#include "model/light_angles.h"
 #include "viewer/panes/gui.h"
 
 namespace gnomon::app {

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/files/disk_sync.h"
+#include "common/files/atomic_file.h"
 #include "common/files/part_file.h"
 #include "common/system/child_process.h"
-#include "common/text/one_line.h"
+#include "common/text/words.h"
 #include "image/images.h"
 #include "model/light_angles.h"
 #include "render/gl_context.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/commands/view_request.h"
+#include "cli/commands/view_command.h"
 
 namespace gnomon::app {
 

@@ -7,12 +7,12 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
-#include "common/overloaded.h"
+#include "common/lists.h"
 #include "image/images.h"
-#include "image/share_picture.h"
+#include "image/mask_picture.h"
 #include "model/saved_study.h"
 #include "report/json/json_values.h"
-#include "study/spec/file_names.h"
+#include "study/spec/sections/study_paths.h"
 
 namespace gnomon::app {
 namespace fs = std::filesystem;

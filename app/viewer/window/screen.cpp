@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "render/target.h"
+#include "render/gl_objects.h"
 #include "viewer/window/input.h"
 
 namespace gnomon::app {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "common/error.h"
-#include "common/text/one_line.h"
+#include "common/text/words.h"
 
 namespace gnomon::app {
 namespace {

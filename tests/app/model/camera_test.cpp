@@ -5,9 +5,7 @@
 
 #include "common/error.h"
 #include "model/light_angles.h"
-#include "model/orbit.h"
 #include "model/picking.h"
-#include "model/view_part.h"
 
 namespace gnomon::app {
 namespace {

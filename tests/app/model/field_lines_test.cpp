@@ -1,4 +1,4 @@
-#include "model/field_lines.h"
+#include "model/cross_section.h"
 
 #include <gtest/gtest.h>
 

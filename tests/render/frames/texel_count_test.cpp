@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "render/held_targets.h"
+#include "render/gl_objects.h"
 #include "render/method_text.h"
 #include "render/render_scene.h"
 #include "truth/truth_scenes.h"

@@ -20,7 +20,7 @@
 #include "image/mask_picture.h"
 #include "relief/height_image.h"
 #include "render/gl_context.h"
-#include "render/textures/method_texture.h"
+#include "render/passes/method_texture.h"
 #include "support/temporary_folder.h"
 #include "support/tiff_files.h"
 

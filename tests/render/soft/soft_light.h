@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/visibility.h"
+#include "common/mask.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon::test {

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "horizon/reference/filtered_table.h"
-#include "horizon/reference/osculating_horizon.h"
+#include "horizon/reference/height_profile.h"
+#include "horizon/reference/ray_crossings.h"
 #include "relief/patterns.h"
 #include "render/render_scene.h"
 #include "surface/curvature.h"

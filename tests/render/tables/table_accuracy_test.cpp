@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "compare/rates.h"
+#include "compare/counts.h"
 #include "relief/patterns.h"
 #include "render/render_scene.h"
 #include "render/traced_scene.h"

@@ -1,10 +1,9 @@
-#include "report/json/summary_reader.h"
+#include "report/json/summary_json.h"
 
 #include <gtest/gtest.h>
 
 #include "common/error.h"
 #include "compare/share_metrics.h"
-#include "report/json/summary_json.h"
 #include "report/sample_record.h"
 #include "support/error_messages.h"
 

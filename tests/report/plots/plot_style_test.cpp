@@ -1,4 +1,4 @@
-#include "report/plots/plot_style.h"
+#include "report/plots/line_plot.h"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "report/plots/sweep_slices.h"
+#include "report/plots/sweep_plots.h"
 
 #include <gmock/gmock.h>
 

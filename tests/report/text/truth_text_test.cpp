@@ -1,4 +1,4 @@
-#include "report/text/truth_text.h"
+#include "report/text/confidence_text.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "study/judge/claim_cases.h"
 #include "study/judge/claim_studies.h"
 
 namespace gnomon::study {

@@ -1,6 +1,5 @@
-#include "study/judge/tightening.h"
-
 #include "study/judge/gates.h"
+
 #include "support/error_messages.h"
 
 namespace gnomon::study {

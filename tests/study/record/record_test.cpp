@@ -6,7 +6,7 @@
 #include "common/error.h"
 #include "compare/boundaries.h"
 #include "compare/share_metrics.h"
-#include "study/record/check_record.h"
+#include "study/record/cases.h"
 #include "study/record/gate.h"
 #include "study/record/record.h"
 #include "study/record/result_metrics.h"

@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include "common/text/nearest_name.h"
+#include "common/text/words.h"
 #include "study/spec/study_file_fixture.h"
 #include "study/spec/sweep/sweep.h"
 #include "study/spec/toml/toml_reader.h"

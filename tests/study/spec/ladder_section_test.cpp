@@ -1,4 +1,4 @@
-#include "study/spec/ladder_section.h"
+#include "study/spec/study_file.h"
 
 #include <gmock/gmock.h>
 

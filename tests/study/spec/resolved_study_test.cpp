@@ -7,7 +7,6 @@
 
 #include "common/files/atomic_file.h"
 #include "common/text/sha256.h"
-#include "study/spec/study_inputs.h"
 #include "study/spec/sweep/sweep.h"
 #include "study/spec/toml/toml_text.h"
 #include "support/error_messages.h"

@@ -5,14 +5,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "image/channel_image.h"
+#include "image/image.h"
 #include "study/spec/resolved_study.h"
 #include "study/spec/study_file.h"
 #include "study/spec/study_file_fixture.h"
-#include "study/spec/study_parts.h"
 #include "study/spec/sweep/sweep.h"
 #include "support/scene_files.h"
-#include "truth/disc_directions.h"
+#include "truth/visibility_tracer.h"
 
 // `[[light]] radius` and `sun`, `[truth] directions` and `[[method]] disc`.
 

@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "cache/cache_folder.h"
-#include "cli/failure.h"
 #include "cli/output.h"
 #include "common/system/memory.h"
 #include "report/text/number_text.h"

@@ -30,8 +30,8 @@ struct CheckRequest {
 /// result, a value that is undefined or not finite, a view that shows nothing, a missing reference
 /// are all faults.
 ///
-/// The JUnit file, which the command line has made to say "error" (see junit_file.h), has one for
-/// each study that has not been judged yet from before the first run on.
+/// The JUnit file, which the command line has made to say "error" (see baseline_check.h), has one
+/// for each study that has not been judged yet from before the first run on.
 ///
 /// A summary holds all that is known at the end; a check that is killed adds nothing to it.
 ///

@@ -5,18 +5,14 @@
 #include <memory>
 
 #include "cli/commands/cache_command.h"
-#include "cli/failure.h"
 #include "cli/output.h"
 #include "cli/run_folders.h"
 #include "cli/study_plans.h"
-#include "cli/terminal_progress.h"
-#include "export/drawn_mesh.h"
-#include "export/export_files.h"
 #include "export/export_json.h"
 #include "export/mesh_files.h"
 #include "export/truth_files.h"
 #include "report/text/number_text.h"
-#include "study/run/truth_study.h"
+#include "study/run/run_study.h"
 
 namespace gnomon::cli {
 namespace fs = std::filesystem;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,8 +10,9 @@
 #include "cli/shards/shard.h"
 #include "common/error.h"
 #include "report/paper/paper_options.h"
-#include "study/run/scene/stage_clock.h"
+#include "study/run/scene/environment.h"
 #include "study/spec/study_file.h"
+#include "study/spec/sweep/sweep.h"
 
 namespace gnomon::cli {
 
@@ -49,5 +52,40 @@ ExitStatus runStudies(const RunRequest& request);
 
 /// Bakes the tables of the studies and writes them as `out/NAME/tables.exr`.
 ExitStatus bakeStudies(const RunRequest& request);
+
+/// Adds an option that may be repeated and takes one value each time.
+inline CLI::Option* addList(CLI::App& command, const std::string& name,
+                            std::vector<std::string>& values, const std::string& about,
+                            const char* type) {
+  return command.add_option(name, values, about)
+      ->type_name(type)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+}  // namespace gnomon::cli
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace gnomon::cli {
+
+/// Adds the options that say what is written for a paper.
+/// @return --figures
+CLI::Option* addPaperOptions(CLI::App& command, report::PaperOptions& options);
+
+/// Adds the labels of the methods that a study measures, each once.
+void appendLabels(const study::StudyPlan& plan, std::vector<std::string>& labels);
+
+/// @throws UsageError for a chosen method that none of the studies measures
+void requirePaperMethods(const report::PaperOptions& options,
+                         const std::vector<study::StudyPlan>& plans);
+
+/// @param measured  labels
+/// @throws UsageError for a chosen method that none of them is
+void requirePaperMethods(const report::PaperOptions& options,
+                         const std::vector<std::string>& measured);
 
 }  // namespace gnomon::cli

@@ -2,9 +2,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/list_option.h"
+#include "cli/commands/run_command.h"
 
 namespace gnomon::cli {
+
 namespace {
 
 constexpr const char* viewExamples = R"(

@@ -13,11 +13,11 @@
 #include <system_error>
 
 #include "common/error.h"
-#include "common/files/disk_sync.h"
 #include "common/files/input_file.h"
 #include "common/files/part_file.h"
 
 namespace gnomon {
+
 namespace fs = std::filesystem;
 namespace {
 
@@ -150,6 +150,40 @@ void replaceFile(const fs::path& path, std::string_view text, Sync sync,
 std::string readFile(const fs::path& path) {
   requireFile(path);
   return readBytes(path);
+}
+
+namespace fs = std::filesystem;
+namespace {
+
+void require(bool isDone, const fs::path& path) {
+  const int error = errno;
+  if (isDone || error == EINVAL || error == ENOTSUP || error == ENOSYS) return;
+  throw fs::filesystem_error("sync", path, std::error_code(error, std::generic_category()));
+}
+
+template <typename Sync>
+void inFolder(const fs::path& folder, const Sync& sync) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  require(descriptor >= 0, folder);
+  const bool isDone = sync(descriptor) == 0;
+  const int error = errno;
+  ::close(descriptor);
+  errno = error;
+  require(isDone, folder);
+}
+
+}  // namespace
+
+void syncFile(int descriptor, const fs::path& path) {
+  require(::fsync(descriptor) == 0, path);
+}
+
+void syncFolder(const fs::path& folder) {
+  inFolder(folder, ::fsync);
+}
+
+void syncFileSystem(const fs::path& folder) {
+  inFolder(folder, ::syncfs);
 }
 
 }  // namespace gnomon

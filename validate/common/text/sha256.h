@@ -9,4 +9,7 @@ namespace gnomon {
 /// @throws InternalError where the library refuses
 std::string sha256(std::string_view bytes);
 
+/// Bytes in Base64 (RFC 4648, section 4), padded, in one line.
+std::string base64(std::string_view bytes);
+
 }  // namespace gnomon

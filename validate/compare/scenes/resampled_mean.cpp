@@ -10,8 +10,8 @@
 #include <numeric>
 #include <vector>
 
-#include "common/counted_random.h"
 #include "common/error.h"
+#include "common/random_stream.h"
 
 namespace gnomon::compare {
 namespace {

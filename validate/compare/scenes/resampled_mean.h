@@ -22,7 +22,7 @@ constexpr std::size_t standardResamples = 19'999;
 std::size_t resamplesFor(std::size_t comparisons);
 
 /// Scenes drawn anew with replacement, as often as there are resamples. Draw k of resample b is
-/// ⌊n u⌋, where u is randomUnit(0, "scenes", b n + k) of common/counted_random.h: the same on every
+/// ⌊n u⌋, where u is randomUnit(0, "scenes", b n + k) of common/random_stream.h: the same on every
 /// machine.
 class SceneResamples {
  public:

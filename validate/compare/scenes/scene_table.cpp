@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/quantile.h"
+#include "common/lists.h"
 
 namespace gnomon::compare {
 namespace {

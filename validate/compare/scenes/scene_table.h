@@ -35,7 +35,7 @@ std::vector<std::size_t> sharedScenes(const SceneTable& table,
 struct SceneSpread {
   std::size_t scenes = 0;  ///< with an error
   double mean = 0;
-  double median = 0;  ///< quantiles as common/quantile.h: linear between neighbours in order
+  double median = 0;  ///< quantiles as common/lists.h: linear between neighbours in order
   double lowerQuartile = 0;
   double upperQuartile = 0;
   double percentile95 = 0;

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "horizon/kernel/box_maxima.h"
 #include "horizon/kernel/padded_map.h"
 #include "horizon/reference/ray_crossings.h"
 

@@ -10,18 +10,29 @@
 #include <utility>
 #include <vector>
 
-#include "common/counted_progress.h"
 #include "common/error.h"
 #include "common/parallel.h"
+#include "common/progress.h"
 #include "common/system/memory.h"
 #include "horizon/kernel/azimuth_plan.h"
-#include "horizon/kernel/box_maxima.h"
 #include "horizon/kernel/padded_map.h"
 #include "horizon/kernel/tile_kernel.h"
 #include "horizon/reference/height_profile.h"
 #include "horizon/reference/ray_crossings.h"
 
 namespace gnomon::horizon {
+
+double tileScratchBytes(double radius) {
+  // A ray crosses at most √2 D lattice lines. Of each, a texel may keep the slope, a peak and its
+  // r; the lists' entries stand for vectors, at worst of one texel.
+  const double taps = 1.5 * radius + 2 + AzimuthPlan::groupTaps;
+  const double batch = TexelTile::texels / 2.0;
+  return sizeof(TileScratch) +
+         batch * taps * (3 * sizeof(float) + sizeof(CellVisit) + sizeof(std::uint32_t)) +
+         batch * taps / AzimuthPlan::groupTaps *
+             (2 * sizeof(Visit) + sizeof(float) + sizeof(std::uint32_t));
+}
+
 namespace {
 
 /// A padded map with the boxes that bound rays, and what making them takes, over the map alone.

@@ -2,14 +2,66 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "common/progress.h"
+#include "common/raw_vector.h"
 #include "horizon/horizon_bake.h"
-#include "horizon/kernel/tile_scratch.h"
 #include "relief/height_field.h"
 
 namespace gnomon::horizon {
+
+/// A rectangle of texels of the map: columns [left, right), rows [bottom, top).
+struct TexelTile {
+  static constexpr int width = 64, height = 32;  ///< of all but those at the map's edges
+  static constexpr std::size_t texels = std::size_t{width} * height;
+  int left, bottom, right, top;
+};
+
+/// A group of taps (AzimuthPlan) on the rays of one vector of a tile's texels.
+struct Visit {
+  std::uint32_t vector, group;
+};
+
+/// A cell before a tap on the rays of one vector.
+struct CellVisit {
+  std::uint32_t vector, tap;
+};
+
+/// Scratch memory of one thread for baking tiles. It is kept from one tile to the next, since fresh
+/// memory costs more than what is written to it. How many texels are in a vector depends on the
+/// processor: [vector][lane] stands for consecutive floats.
+struct TileScratch {
+  /// Of each texel, [vector][lane]: its height, the limit r → 0⁺ of the slope, the greatest slope
+  /// so far, the least distance of it, and the slope where the ray ends.
+  alignas(64) std::array<float, TexelTile::texels> height, start, best, distance, end;
+  /// Of each vector: where its first texel lies in the padded map.
+  std::array<std::int32_t, TexelTile::texels> row, column;
+  std::array<std::ptrdiff_t, TexelTile::texels> offset;
+
+  std::vector<Visit> winners;  ///< groups that attained a horizon somewhere in the tile
+
+  // Lists of a batch. Each keeps its largest capacity; the counts say how many entries are valid.
+  std::array<std::uint32_t, TexelTile::texels> batch, active, open;  ///< vectors
+  std::vector<std::uint8_t>
+      foreseen;  ///< [vector][bundle]: one bit a group, set where it was searched first, as a guess
+  RawVector<Visit> visits;        ///< groups to be searched next
+  RawVector<Visit> kept;          ///< groups that were searched and may hold a horizon
+  RawVector<float> slopes;        ///< [kept][tap of the group][lane]
+  RawVector<float> highest;       ///< [kept][lane]: of the group's slopes
+  RawVector<std::uint32_t> high;  ///< indices of `kept`
+  RawVector<CellVisit> cells;     ///< cells that may hold a peak
+  RawVector<std::uint32_t> peakVectors;
+  RawVector<float> peaks;  ///< [peak][0: slope, 1: r][lane]
+  std::size_t batchCount = 0, keptCount = 0, peakCount = 0;
+};
+
+/// Upper bound on the memory of one TileScratch, bytes: every tap of every texel of a batch, each
+/// with a peak.
+/// @param radius  D, texels
+double tileScratchBytes(double radius);
 
 /// The horizons of a tile of texels for one azimuth: the unit of work of a thread.
 struct HorizonTile {

@@ -3,9 +3,8 @@
 #include <cstddef>
 
 #include "horizon/kernel/azimuth_plan.h"
-#include "horizon/kernel/box_maxima.h"
+#include "horizon/kernel/horizon_tiles.h"
 #include "horizon/kernel/padded_map.h"
-#include "horizon/kernel/tile_scratch.h"
 
 namespace gnomon::horizon {
 

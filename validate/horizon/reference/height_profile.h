@@ -43,4 +43,37 @@ struct FlatHorizon {
 FlatHorizon flatHorizon(const relief::HeightField& field, Vec2 origin, Vec2 direction,
                         double radius);
 
+/// What a curvature-aware horizon method knows at one point in one direction. Lengths in the world.
+struct HorizonLookups {
+  double curvature;  ///< κ of the surface in that direction, 1 / world, convex positive
+  double height;     ///< h₀: the relief at the point
+  double slope;      ///< tan β: the flat relief's horizon
+  double arcLength;  ///< d ≥ 0: arc length to the horizon point; 0 where the horizon is attached
+};
+
+/// The corrected horizons below are slopes, tan β′, over the tangent plane at the point; γ = κd. On
+/// a flat surface each but `bareHorizon` is tan β itself. In a denominator 1 + κh counts as 1e-3 at
+/// least: a bump in a bowl does not reach the circle's centre.
+
+/// (2) of Onoue, Max & Nishita 2004: tan β′ ≈ tan β (1 - κh) - κd / 2.
+double smallAngleHorizon(const HorizonLookups& at);
+
+/// The formula without a number before (2), in which angles are not yet small; with R = 1 / κ,
+///   tan β′ = (d tan β cos γ - 2 (R + h) sin²(γ/2)) / (2 (R + h) sin(γ/2) cos(γ/2)).
+/// As d → 0 it tends to tan β / (1 + κh). Past a quarter turn, |γ| > π/2, it is minus infinity, as
+/// is `osculatingHorizon`.
+double unreducedHorizon(const HorizonLookups& at);
+
+/// The horizon of the occluder of height h₁ = h₀ + d tan β that stands on the osculating circle:
+///   tan β′ = (cos γ - (1 + κh₀) / (1 + κh₁)) / sin γ.
+/// As d → 0 it tends to tan β / (1 + κh₀). Minus infinity past a quarter turn, |γ| > π/2: there the
+/// circle says nothing of the surface.
+double osculatingHorizon(const HorizonLookups& at);
+
+/// (3) of Onoue, Max & Nishita 2004: the horizon of the bare surface from a height over it,
+///   tan β′ = -√(1 - c²) / c, c = 1 / (κh + 1), that is -√(κh (κh + 2)).
+/// Below the bare surface h counts as 0; minus infinity where κ ≤ 0, since only a convex surface
+/// has such a horizon.
+double bareHorizon(double curvature, double height);
+
 }  // namespace gnomon::horizon

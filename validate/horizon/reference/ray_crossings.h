@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "common/vec.h"
+#include "horizon/stored_table.h"
+#include "horizon/table_file.h"
 
 namespace gnomon::horizon {
 
@@ -42,5 +44,11 @@ struct RayCrossings {
 /// @param offset     of the ray's origin from its node, texels, 0 ≤ offset < 1: 0 for a texel
 /// centre
 RayCrossings cutRay(Vec2 direction, double radius, Vec2 offset = Vec2(0));
+
+/// A table's value as shaders filter it (`filter = "exact"`): linear between texel centres in x and
+/// y and between azimuths, in double.
+/// @param texel    any finite position, texels
+/// @param azimuth  radians, any finite angle
+double filteredValue(const StoredTable& table, const TableShape& shape, Vec2 texel, double azimuth);
 
 }  // namespace gnomon::horizon

@@ -130,7 +130,7 @@ class FileReader : public ImageReader {
   std::vector<float> tiles_;
 };
 
-/// OpenImageIO's name of a format's reader; PNG and TIFF have their own, see png_reader.h and
+/// OpenImageIO's name of a format's reader; PNG and TIFF have their own, see png.h and
 /// tiff_reader.h.
 const char* readerOf(ImageFormat format) {
   constexpr std::array names = {"openexr", "png", "tiff", "jpeg", "hdr",

@@ -12,8 +12,8 @@
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
 #include "render/passes/drawing.h"
-#include "render/passes/loop_check.h"
 #include "render/passes/method_program.h"
+#include "render/passes/texel_counter.h"
 
 namespace gnomon::render {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "common/progress.h"
 #include "relief/relief.h"
-#include "render/bakes/gpu_bake.h"
+#include "render/bakes/method_bake.h"
 #include "render/gpu_scene.h"
 #include "render/method.h"
-#include "render/passes/method_tables.h"
+#include "render/passes/method_program.h"
 
 namespace gnomon::render {
 

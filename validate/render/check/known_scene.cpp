@@ -7,7 +7,7 @@
 #include <random>
 #include <tuple>
 
-#include "horizon/horizon_ellipses.h"
+#include "horizon/angle_table.h"
 #include "surface/face_grids.h"
 
 namespace gnomon::render::check {

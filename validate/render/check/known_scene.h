@@ -6,8 +6,8 @@
 
 #include "common/camera.h"
 #include "render/bakes/bake_pass.h"
+#include "render/gpu_scene.h"
 #include "render/passes/method_pass.h"
-#include "render/view.h"
 
 // The scene that a driver is checked with: a floor and a box that floats over it, seven rectangles
 // whose picture and shadow rays have closed forms, with maps of random zeros and ones.

@@ -8,11 +8,11 @@
 #include <functional>
 #include <optional>
 
-#include "common/disc_share.h"
 #include "common/error.h"
-#include "horizon/horizon_ellipses.h"
+#include "common/mask.h"
+#include "horizon/angle_table.h"
 #include "render/check/known_scene.h"
-#include "render/passes/passes.h"
+#include "render/passes/drawing.h"
 
 namespace gnomon::render {
 namespace {

@@ -11,10 +11,9 @@
 #include "common/error.h"
 #include "common/system/memory.h"
 #include "render/gl_context.h"
+#include "render/gl_objects.h"
 #include "render/glsl_text.h"
 #include "render/passes/method_program.h"
-#include "render/pixel_format.h"
-#include "render/target.h"
 
 namespace gnomon::render {
 namespace fs = std::filesystem;

@@ -10,16 +10,11 @@
 #include <vector>
 
 #include "common/mask.h"
-#include "common/visibility.h"
 #include "render/frame_timer.h"
-#include "render/held_targets.h"
+#include "render/gl_objects.h"
 #include "render/method.h"
-#include "render/passes/depth_pass.h"
 #include "render/passes/drawing.h"
-#include "render/passes/loop_check.h"
-#include "render/passes/method_tables.h"
-#include "render/passes/shadow_volume_pass.h"
-#include "render/passes/soft_answer.h"
+#include "render/passes/method_program.h"
 #include "render/passes/texel_counter.h"
 
 namespace gnomon::render {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "report/text/gate_text.h"
-#include "report/text/utf8_text.h"
+#include "report/text/text_width.h"
 
 namespace gnomon::report {
 namespace {

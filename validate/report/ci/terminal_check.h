@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "study/record/check_record.h"
+#include "study/record/cases.h"
 
 namespace gnomon::report {
 

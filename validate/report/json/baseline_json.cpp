@@ -9,7 +9,6 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/lists.h"
-#include "report/json/json_reader.h"
 #include "report/json/json_values.h"
 
 namespace gnomon::report {

@@ -8,7 +8,6 @@
 #include "common/mask.h"
 #include "compare/confidence_interval.h"
 #include "compare/counts.h"
-#include "compare/rates.h"
 #include "report/json/json_values.h"
 #include "study/record/gate.h"
 
@@ -65,5 +64,33 @@ std::string maskComparisonJson(const MaskComparison& comparison);
 /// For the terminal, at most 100 columns wide; figures with six digits, shares in percent.
 /// @param colours  ANSI colours and bold face; without them the text is plain
 std::string maskComparisonTable(const MaskComparison& comparison, bool colours);
+
+/// Two pictures of the same name.
+struct MaskPair {
+  std::string name;
+  MaskComparison comparison;
+};
+
+/// The result of comparing two folders of masks: plain data.
+struct MaskFolders {
+  std::string candidate, truth;  ///< the folders, as the command names them
+  std::string command = {};      ///< reproduces it
+  std::vector<MaskPair> pairs = {};
+  compare::ConfidenceInterval confidence = {};  ///< of the error rate over all pixels
+
+  /// True unless a gate failed for a pair.
+  [[nodiscard]] bool passed() const;
+  /// Of all pixels together.
+  [[nodiscard]] compare::Counts counts() const;
+  /// Mean of the truths' uncertainties by their pixels; none where one is unknown.
+  [[nodiscard]] std::optional<double> uncertainty() const;
+};
+
+/// For programs: schema "gnomon-comparisons/1".
+std::string maskFoldersJson(const MaskFolders& folders);
+
+/// For the terminal, at most 100 columns wide: a line a pair, then all pixels together.
+/// @param colours  as maskComparisonTable
+std::string maskFoldersTable(const MaskFolders& folders, bool colours);
 
 }  // namespace gnomon::report

@@ -1,14 +1,25 @@
 #include "report/json/summary_json.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "compare/boundaries.h"
+#include "compare/share_metrics.h"
 #include "report/json/json_values.h"
 #include "report/tables/cost_table.h"
-#include "report/text/interval_text.h"
-#include "report/text/names.h"
+#include "report/text/confidence_text.h"
+#include "report/text/number_text.h"
 #include "study/judge/distinguish.h"
 #include "study/record/result_metrics.h"
 #include "study/run/stages/budget.h"
 
 namespace gnomon::report {
+
 namespace {
 
 Json methodJson(const study::MethodRecord& method) {
@@ -205,6 +216,228 @@ std::string summaryJson(const study::StudyRecord& record) {
       {"undefined_samples", record.undefinedSamples},
       {"cache", cacheJson(record.cache)}};
   return jsonText(json);
+}
+
+namespace {
+
+std::uint64_t readCount(const JsonReader& row, const char* key) {
+  const double value = row.number(key);
+  if (!(value >= 0 && value < 1e15)) {
+    row.fail(key, fmt::format("{} found, a count expected", value));
+  }
+  return static_cast<std::uint64_t>(value);
+}
+
+compare::Counts readCounts(const JsonReader& row) {
+  compare::Counts counts;
+  counts.truePositive = row.number("tp");
+  counts.falsePositive = row.number("fp");
+  counts.falseNegative = row.number("fn");
+  counts.trueNegative = row.number("tn");
+  for (const char* key : {"tp", "fp", "fn", "tn"}) (void)readCount(row, key);
+  counts.samples = readCount(row, "samples");
+  return counts;
+}
+
+/// Metrics of a kind, whose reasons are constants; none where the record has none of them.
+std::vector<compare::Metric> readMetrics(const JsonReader& row, compare::MetricKind kind,
+                                         const std::vector<std::string_view>& reasons) {
+  std::vector<compare::Metric> metrics;
+  for (const compare::MetricId id : compare::metricsOfKinds({kind})) {
+    const std::string key(id.name());
+    if (!row.has(key.c_str())) return {};
+    compare::Metric metric{id, row.numberOrNull(key.c_str()), {}};
+    if (!metric.value) {
+      const std::string reason = row.object("undefined").text(key.c_str());
+      const auto found = std::find(reasons.begin(), reasons.end(), reason);
+      if (found == reasons.end()) return {};  // it was not measured
+      metric.reason = *found;
+    }
+    metrics.push_back(metric);
+  }
+  return metrics;
+}
+
+std::vector<compare::Metric> readBoundaries(const JsonReader& row) {
+  return readMetrics(row, compare::MetricKind::boundary, compare::boundaryReasons());
+}
+
+std::vector<compare::Metric> readShares(const JsonReader& row) {
+  return readMetrics(row, compare::MetricKind::share, compare::shareReasons());
+}
+
+study::EnvironmentRecord readWholeEnvironment(const JsonReader& row) {
+  return {row.text("gnomon_version"),
+          row.text("commit"),
+          row.text("cpu"),
+          static_cast<int>(row.numberOrNull("threads").value_or(0)),
+          row.text("gl_renderer"),
+          row.text("gl_version"),
+          row.text("embree_version"),
+          row.text("opensubdiv_version"),
+          row.text("frame_clock")};
+}
+
+std::optional<double> readOptional(const JsonReader& row, const char* key) {
+  return row.has(key) ? row.numberOrNull(key) : std::nullopt;
+}
+
+study::UncertaintyRecord readFlip(const JsonReader& row) {
+  study::UncertaintyRecord flip{row.text("view"), row.text("light"), row.number("flip_rate")};
+  flip.lengthError = readOptional(row, "length_error");
+  if (row.has("boundaries")) flip.boundaries = readBoundaries(row.object("boundaries"));
+  flip.percentile99 = readOptional(row, "percentile_99");
+  flip.percentile999 = readOptional(row, "percentile_99_9");
+  flip.brightening = readOptional(row, "brightening");
+  if (row.has("shares")) flip.shares = readShares(row.object("shares"));
+  return flip;
+}
+
+study::ResultRecord readResult(const JsonReader& row) {
+  study::ResultRecord result{row.text("method"), row.text("light"), row.text("view"),
+                             row.text("region"), readCounts(row)};
+  const auto answer = study::answerOfName(row.text("answer"));
+  if (!answer) row.fail("answer", "\"drawn\" or \"test\" expected");
+  result.answer = *answer;
+  if (const auto runs = readOptional(row, "shadow_runs")) {
+    result.lengths = compare::ShadowLengths{*runs,
+                                            row.numberOrNull("shadow_length_ratio"),
+                                            row.numberOrNull("shadow_length_q1"),
+                                            row.numberOrNull("shadow_length_q3"),
+                                            {}};
+  }
+  result.boundaries = readBoundaries(row);
+  result.shares = readShares(row);
+  return result;
+}
+
+std::optional<compare::Interval> readInterval(const JsonReader& row) {
+  const auto low = row.numberOrNull("low"), high = row.numberOrNull("high");
+  return low && high ? std::optional(compare::Interval{*low, *high}) : std::nullopt;
+}
+
+std::string readReason(const JsonReader& row) {
+  return row.isNull("reason") ? "" : row.text("reason");
+}
+
+study::ConfidenceRecord readConfidence(const JsonReader& row) {
+  return {row.text("method"),       row.text("view"),
+          row.text("light"),        row.number("error_rate"),
+          readInterval(row),        readReason(row),
+          readCount(row, "blocks"), static_cast<int>(row.number("block_side"))};
+}
+
+study::DifferenceVerdict readVerdict(const JsonReader& row) {
+  using enum study::DifferenceVerdict;
+  const std::string name = row.text("verdict");
+  for (const auto verdict : {better, worse, equal, notDistinguishable, noInterval}) {
+    if (name == differenceVerdictName(verdict)) return verdict;
+  }
+  row.fail("verdict", "\"" + name + "\" found, a verdict on two methods expected");
+}
+
+study::DifferenceRecord readDifference(const JsonReader& row) {
+  return {row.text("view"),   row.text("light"),         row.text("first"),
+          row.text("second"), row.number("difference"),  readInterval(row),
+          readReason(row),    row.number("uncertainty"), readVerdict(row)};
+}
+
+study::BinRecord readBin(const JsonReader& row) {
+  return {row.text("method"),      row.text("view"),         row.text("light"), row.text("axis"),
+          row.numberOrNull("low"), row.numberOrNull("high"), readCounts(row)};
+}
+
+study::MethodRecord readMethod(const JsonReader& row) {
+  study::MethodRecord method{row.text("label"), row.text("name"), row.text("title"),
+                             row.text("citation")};
+  // Summaries of older versions have none.
+  if (row.has("family")) method.mark = {row.text("family"), row.text("symbol")};
+  method.otherChartShare = readOptional(row, "other_chart_share");
+  return method;
+}
+
+study::CostRecord readCost(const JsonReader& row) {
+  study::CostRecord cost{row.text("method"), readCount(row, "polygons"),
+                         readCount(row, "table_bytes"), readCount(row, "height_bytes"),
+                         row.numberOrNull("frame_ms")};
+  cost.stillMs = readOptional(row, "still_ms");
+  cost.texels = readOptional(row, "texels");
+  if (row.has("passes")) cost.passes = static_cast<int>(row.number("passes"));
+  if (row.has("frame_kept_since") && !row.isNull("frame_kept_since")) {
+    cost.keptSince = row.text("frame_kept_since");
+  }
+  return cost;
+}
+
+study::Judgement readThreshold(const JsonReader& row, const std::string& step) {
+  const std::string name = row.text("metric");
+  const auto metric = compare::MetricId::find(name);
+  if (!metric) row.fail("metric", "\"" + name + "\" found, a metric expected");
+  study::Gate gate{row.text("method"),         row.text("light"), row.text("view"),
+                   row.text("region"),         *metric,           row.numberOrNull("minimum"),
+                   row.numberOrNull("maximum")};
+  gate.answer = study::answerOfName(row.text("answer")).value_or(study::Answer::drawn);
+  gate.step = step;
+  const std::optional<double> value = row.numberOrNull("value");
+  const study::GateVerdict verdict = row.flag("passed") ? study::GateVerdict::passed
+                                     : value            ? study::GateVerdict::failed
+                                                        : study::GateVerdict::undefined;
+  return {std::move(gate), verdict, value, readReason(row)};
+}
+
+template <typename Read>
+auto readList(const JsonReader& summary, const char* key, const Read& read) {
+  std::vector<decltype(read(summary))> rows;
+  for (const JsonReader& row : summary.list(key)) rows.push_back(read(row));
+  return rows;
+}
+
+}  // namespace
+
+study::StudyRecord readSummary(const JsonReader& summary) {
+  const JsonReader study = summary.object("study");
+  study::StudyRecord record;
+  record.name = study.text("name");
+  record.title = study.text("title");
+  record.source = study.text("source");
+  record.file = study.text("file");
+  record.command = study.text("command");
+  const JsonReader settings = study.object("settings");
+  if (settings.has("study") && settings.object("study").has("suite")) {
+    const std::string suite = settings.object("study").text("suite");
+    record.reproduction.settings.insert("study", toml::table{{"suite", suite}});
+  }
+  for (const JsonReader& input : study.list("inputs")) {
+    record.reproduction.inputs.push_back({{}, input.text("file"), input.text("sha256")});
+  }
+  record.environment = readWholeEnvironment(summary.object("environment"));
+  const JsonReader truth = summary.object("truth");
+  record.truth.uncertainty = truth.number("uncertainty");
+  record.truth.flips = readList(truth, "flips", readFlip);
+  record.methods = readList(summary, "methods", readMethod);
+  record.results = readList(summary, "results", readResult);
+  record.confidence = readList(summary, "confidence", readConfidence);
+  record.differences = readList(summary, "differences", readDifference);
+  record.bins = readList(summary, "bins", readBin);
+  record.cost = readList(summary, "cost", readCost);
+  record.judgements = readList(summary, "thresholds", [&](const JsonReader& row) {
+    return readThreshold(row, record.name);
+  });
+  record.problems = readList(summary, "problems", [](const JsonReader& row) {
+    return study::ProblemRecord{row.text("part"), ExitStatus::internal, row.text("message")};
+  });
+  record.notices = summary.texts("notices");
+  return record;
+}
+
+study::StudyRecord readSummary(const std::filesystem::path& file) {
+  const Json json = readJson(file);
+  const JsonReader summary(json, file.string(), "");
+  const std::string schema = summary.text("schema");
+  if (schema != summarySchema) {
+    summary.fail("schema", fmt::format("\"{}\" found, \"{}\" expected", schema, summarySchema));
+  }
+  return readSummary(summary);
 }
 
 }  // namespace gnomon::report

@@ -11,14 +11,13 @@
 #include "common/lists.h"
 #include "report/page/html_figures.h"
 #include "report/page/html_page.h"
-#include "report/page/page.h"
 #include "report/tables/case_tables.h"
 #include "report/tables/formats/html_format.h"
+#include "report/text/glossary.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
-#include "report/text/terms_html.h"
 #include "study/judge/study_means.h"
-#include "study/spec/file_names.h"
+#include "study/spec/sections/study_paths.h"
 
 namespace gnomon::report {
 namespace {

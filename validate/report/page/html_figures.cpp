@@ -8,10 +8,9 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "compare/rates.h"
+#include "compare/counts.h"
 #include "image/images.h"
-#include "image/share_picture.h"
-#include "report/text/names.h"
+#include "image/mask_picture.h"
 #include "report/text/number_text.h"
 #include "study/record/cases.h"
 

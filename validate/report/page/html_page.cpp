@@ -5,12 +5,12 @@
 #include <array>
 
 #include "report/page/html_figures.h"
-#include "report/page/page.h"
 #include "report/tables/formats/html_format.h"
-#include "report/text/names.h"
-#include "report/text/terms_html.h"
+#include "report/text/glossary.h"
+#include "report/text/number_text.h"
 
 namespace gnomon::report {
+
 namespace {
 
 Html verdictTag(study::Verdict verdict) {

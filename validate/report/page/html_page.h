@@ -63,4 +63,18 @@ Html htmlNotices(const std::vector<std::string>& notices);
 /// How a run is done again: its command, and facts about it.
 Html htmlReproduction(std::string_view command, const Html& facts = {});
 
+/// The parts of a report page that are written in their own languages, in the folder `page`.
+
+/// The style of all pages.
+Html pageStyle();
+
+/// The comparison of two pictures, hidden until the script runs.
+Html viewerMarkup();
+
+/// The script that drives it.
+Html viewerScript();
+
+/// The script's SHA-256 as a content policy names it: 'sha256-…'.
+Html viewerScriptHash();
+
 }  // namespace gnomon::report

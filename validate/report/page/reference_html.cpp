@@ -1,14 +1,94 @@
 #include "report/page/reference_html.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <string>
 #include <vector>
 
+#include "image/images.h"
 #include "report/page/html_figures.h"
 #include "report/page/html_page.h"
+#include "report/plotted_methods.h"
+#include "report/tables/case_tables.h"
 #include "report/tables/formats/html_format.h"
-#include "report/tables/gate_table.h"
+#include "report/tables/ranked_table.h"
+#include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
+#include "study/record/cases.h"
+#include "study/run/stages/truth_pictures.h"
 
 namespace gnomon::report {
+
+namespace {
+
+using Ranking = std::vector<study::RankedOverStudies>;
+
+Html studiesStatus(std::span<const study::StudyMeans> studies) {
+  const auto count = [&](study::RunStatus status) {
+    return std::count_if(studies.begin(), studies.end(),
+                         [&](const study::StudyMeans& study) { return study.status == status; });
+  };
+  const auto passed = count(study::RunStatus::pass);
+  const auto failed = count(study::RunStatus::fail);
+  const auto notJudged = count(study::RunStatus::notJudged);
+  return html("{} {} of {} studies passed{}{}", htmlStatus(study::statusOf(studies)), passed,
+              studies.size(), failed > 0 ? fmt::format(", {} failed", failed) : "",
+              notJudged > 0 ? fmt::format(", {} not judged", notJudged) : "");
+}
+
+Html bestOverStudies(const Ranking& ranking, std::span<const study::StudyMeans> studies) {
+  if (ranking.empty() || !ranking.front().rank) {
+    return html("No method was measured in every case of every study, so none is ranked.");
+  }
+  const study::RankedOverStudies& best = ranking.front();
+  const bool isSoft = std::any_of(studies.begin(), studies.end(),
+                                  [](const study::StudyMeans& study) { return study.isSoft; });
+  return html(
+      "Compared with ray tracing the displaced surface in {} studies, <b>{}</b> has {}: "
+      "<b>{}&#8239;%</b> on average, {}&#8239;% in its worst study, {}.",
+      studies.size(), study::labelWithName(best.label, best.names), leastErrorText(isSoft),
+      percentText(best.meanError), percentText(best.worstError), best.worstStudy);
+}
+
+Html claimsOfStudies(std::span<const study::StudyMeans> studies) {
+  Html claims;
+  for (const study::StudyMeans& study : studies) {
+    for (const study::ClaimRecord& claim : study.claims) {
+      claims += htmlClaim(claim, html("<a href=\"{0}/report.html\" title=\"{1}\">{0}</a>",
+                                      study.name, study.title));
+    }
+  }
+  return htmlClaims(claims);
+}
+
+}  // namespace
+
+Html rankingHtml(std::span<const study::StudyMeans> studies, std::string_view command) {
+  const Ranking ranking = study::rankOverStudies(studies);
+  std::vector<std::string> labels;
+  for (const study::RankedOverStudies& method : ranking) labels.push_back(method.label);
+  const Html header = html(
+      "<h1>Methods over {} studies</h1>\n<p class=\"verdict\">{}</p>\n<p class=\"lead\">{}</p>\n",
+      studies.size(), studiesStatus(studies), bestOverStudies(ranking, studies));
+  return htmlPage(
+      "Methods over all studies", header,
+      htmlSection(
+          "ranking", "Methods, best first",
+          html("<p class=\"note\">Percent of {}: in each study the mean over its "
+               "lights and views, then the mean over the studies, each with the same "
+               "weight. A case is a view under a light; a method that lacks one has no "
+               "rank. <b>Truth ±</b> is the truth’s own uncertainty. Compared with the best: "
+               "{}.</p>\n{}",
+               errorWholeOver(studies), signMeaning,
+               htmlTable(rankedOverStudiesTable(studies, ranking)))) +
+          htmlSection("matrix", "Error by study",
+                      html("<p class=\"note\">The stronger the tint, the larger the error.{}</p>\n"
+                           "{}",
+                           fewerCasesNote(studies), htmlTable(studyErrorsTable(labels, studies)))) +
+          claimsOfStudies(studies) + htmlReproduction(command));
+}
+
 namespace {
 
 Html changePicture(const std::string& path, std::string_view title,
@@ -80,6 +160,84 @@ Html statusHtml(study::RunStatus status, std::span<const study::Judgement> judge
     if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
   }
   return html("{} {}", htmlStatus(status), text);
+}
+
+namespace {
+
+const study::PictureRecord* shadedPicture(const study::PanelRecord& panel,
+                                          const std::string& method) {
+  const auto found = std::find_if(
+      panel.pictures.begin(), panel.pictures.end(), [&](const study::PictureRecord& picture) {
+        return picture.method == method && picture.kind == study::PictureRecord::Kind::shaded;
+      });
+  return found == panel.pictures.end() ? nullptr : &*found;
+}
+
+/// The panel in which a method's error is largest; null without any.
+const study::PanelRecord* worstPanel(const study::StudyRecord& record, const std::string& method) {
+  const study::PanelRecord* worst = nullptr;
+  double largest = -1;
+  for (const study::PanelRecord& panel : record.panels) {
+    if (shadedPicture(panel, method) == nullptr) continue;
+    const auto error = study::rateOf(record, method, {panel.view, panel.light},
+                                     study::Answer::drawn, compare::metrics::errorRate);
+    if (error.value_or(-1) <= largest) continue;
+    largest = *error;
+    worst = &panel;
+  }
+  return worst;
+}
+
+/// How wrong a square is: "1 203 of 4 096 pixels wrong"; under a light with a disc the mean of
+/// |ΔV|.
+std::string errorText(const study::WorstPlace& place, bool isSoft) {
+  const double pixels = static_cast<double>(place.side) * place.side;
+  if (isSoft) return fmt::format("mean |ΔV| {}\u202f%", percentText(place.error / pixels));
+  return fmt::format("{} of {} pixels wrong", groupedText(static_cast<std::uint64_t>(place.error)),
+                     groupedText(static_cast<std::uint64_t>(pixels)));
+}
+
+Html placeHtml(const std::string& method, const study::WorstPlace& place, bool isSoft) {
+  return html(
+      "<figure><div class=\"pair\"><img alt=\"{}\" src=\"{}\"><img alt=\"the truth\" "
+      "src=\"{}\"></div><figcaption>{}, at {}, {}</figcaption></figure>\n",
+      method, pictureAddress("image/webp", place.answer), pictureAddress("image/webp", place.truth),
+      errorText(place, isSoft), place.left, place.top);
+}
+
+Html methodHtml(const study::StudyRecord& record, const std::string& method) {
+  const study::PanelRecord* panel = worstPanel(record, method);
+  if (panel == nullptr) return {};
+  const std::vector<study::WorstPlace>& worst = shadedPicture(*panel, method)->worst;
+  if (worst.empty()) return {};
+  const auto* row = study::findResult(record, method, {panel->view, panel->light});
+  const bool isSoft = row != nullptr && !row->shares.empty();
+  Html places;
+  for (const study::WorstPlace& place : worst) places += placeHtml(method, place, isSoft);
+  return html("<h3>{} <small>{} · {}</small></h3>\n<div class=\"worst\">\n{}</div>\n", method,
+              panel->view, panel->light, places);
+}
+
+}  // namespace
+
+Html worstSection(const study::StudyRecord& record,
+                  const std::vector<study::RankedMethod>& ranked) {
+  const std::vector<std::string> methods = plottedMethods(study::studyMeans(record));
+  Html content;
+  for (const std::string& method : methods) content += methodHtml(record, method);
+  if (content.empty()) return {};
+  return htmlSection(
+      "worst", "Where each method errs most",
+      html("<p class=\"note\">Enlarged: for each method the {} squares of {} × {} pixels with the "
+           "largest error, in the view and under the light where the method is most wrong. The "
+           "method is on the left, the truth on the right. A method that draws its own mesh is "
+           "shown as a mask: white is lit.{}</p>\n{}",
+           study::mostWorstPlaces, study::worstPlaceSide, study::worstPlaceSide,
+           methods.size() < ranked.size()
+               ? fmt::format(" These are the {} of {} methods that the plots show.", methods.size(),
+                             ranked.size())
+               : "",
+           content));
 }
 
 }  // namespace gnomon::report

@@ -3,11 +3,21 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "report/text/html.h"
+#include "study/judge/ranking.h"
 #include "study/record/record.h"
 
 namespace gnomon::report {
+
+/// The ranking over all studies of a run as one page that loads nothing: the methods from best to
+/// worst, the error rates of methods × studies tinted by size, and the claims of all studies with
+/// their verdicts. It lies beside the studies' folders and links to their reports.
+/// @param command  reproduces the run
+/// @throws InternalError for a number that is not finite
+Html rankingHtml(std::span<const study::StudyMeans> studies, std::string_view command);
 
 /// The references that a check judged a run by: what kept it from it, those that do not hold with
 /// old and new value and their pictures, then how many hold. Nothing, if there were none.
@@ -19,5 +29,10 @@ Html referenceSection(const study::StudyRecord& record, const std::filesystem::p
 /// @param more  "over all values", say; may be empty
 Html statusHtml(study::RunStatus status, std::span<const study::Judgement> judgements,
                 std::size_t problems, const std::string& more = "");
+
+/// The section of the places where methods err most: of each method those that its picture records,
+/// in the view and under the light where its error is largest, each beside the truth. The methods
+/// are the `plottedMethods`. Nothing without an error.
+Html worstSection(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked);
 
 }  // namespace gnomon::report

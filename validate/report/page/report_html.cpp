@@ -8,27 +8,21 @@
 #include "report/page/case_html.h"
 #include "report/page/html_page.h"
 #include "report/page/opening_html.h"
-#include "report/page/page.h"
 #include "report/page/reference_html.h"
-#include "report/page/worst_html.h"
 #include "report/tables/budget_table.h"
-#include "report/tables/confidence_table.h"
+#include "report/tables/case_tables.h"
 #include "report/tables/cost_table.h"
 #include "report/tables/formats/html_format.h"
-#include "report/tables/gate_table.h"
 #include "report/tables/ranked_table.h"
-#include "report/tables/run_tables.h"
-#include "report/text/budget_text.h"
 #include "report/text/confidence_text.h"
-#include "report/text/interval_text.h"
+#include "report/text/glossary.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
-#include "report/text/terms_html.h"
-#include "report/text/truth_text.h"
 #include "study/judge/distinguish.h"
 #include "study/judge/study_means.h"
 
 namespace gnomon::report {
+
 namespace {
 
 Html rankingSection(const study::StudyRecord& record,
@@ -183,6 +177,37 @@ Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& f
           timingSection(record.timings) + reproduceSection(record);
   return htmlPage(record.heading(), openingHtml(record, ranked), main,
                   hasPictures ? viewerScript() : Html());
+}
+
+Table flipTable(const std::vector<study::UncertaintyRecord>& flips) {
+  Table table{.kind = "flips",
+              .columns = {{"View", "view"},
+                          {"Light", "light"},
+                          {"Samples that change", "flip_rate", Quantity::percent}}};
+  for (const study::UncertaintyRecord& flip : flips) {
+    table.rows.push_back({{textCell(flip.view), textCell(flip.light), valueCell(flip.flipRate)}});
+  }
+  return table;
+}
+
+Table timingTable(const std::vector<study::TimingRecord>& timings) {
+  Table table{.kind = "timings",
+              .columns = {{"Stage", "stage"}, {"Seconds", "seconds", Quantity::decimals}}};
+  for (const study::TimingRecord& timing : timings) {
+    table.rows.push_back({{textCell(timing.stage), valueCell(timing.seconds)}});
+  }
+  return table;
+}
+
+Table inputTable(const std::vector<study::InputRecord>& inputs) {
+  Table table{
+      .kind = "inputs",
+      .columns = {{"Kind", "kind"}, {"File", "file"}, {"SHA-256", "sha256", Quantity::code}}};
+  for (const study::InputRecord& input : inputs) {
+    table.rows.push_back({{textCell(std::string(inputKindName(input.kind))), textCell(input.file),
+                           textCell(input.sha256)}});
+  }
+  return table;
 }
 
 }  // namespace gnomon::report

@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <span>
+#include <vector>
 
 #include "report/plots/drawn_plots.h"
+#include "report/tables/table.h"
 #include "report/text/html.h"
 #include "study/record/record.h"
 
@@ -30,5 +32,14 @@ Html confidenceSection(const study::StudyRecord& record);
 /// lights together, then folded away each light; nothing, if it has none.
 /// @param plots  of the run; those of other sections are passed over
 Html budgetSection(const study::StudyRecord& record);
+
+/// Tables of a run itself.
+
+/// The truth's uncertainty in each view under each light.
+Table flipTable(const std::vector<study::UncertaintyRecord>& flips);
+/// The time of each stage, seconds.
+Table timingTable(const std::vector<study::TimingRecord>& timings);
+/// Each file that the run was made of.
+Table inputTable(const std::vector<study::InputRecord>& inputs);
 
 }  // namespace gnomon::report

@@ -10,15 +10,15 @@
 #include "report/page/opening_html.h"
 #include "report/page/reference_html.h"
 #include "report/plots/sweep_plots.h"
+#include "report/tables/case_tables.h"
 #include "report/tables/formats/html_format.h"
-#include "report/tables/gate_table.h"
-#include "report/tables/means_table.h"
+#include "report/tables/ranked_table.h"
 #include "report/tables/sweep_tables.h"
+#include "report/text/glossary.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
-#include "report/text/terms_html.h"
+#include "study/judge/ranking.h"
 #include "study/judge/study_means.h"
-#include "study/judge/study_ranking.h"
 
 namespace gnomon::report {
 namespace {

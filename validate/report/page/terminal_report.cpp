@@ -8,19 +8,15 @@
 
 #include "report/tables/budget_table.h"
 #include "report/tables/case_tables.h"
-#include "report/tables/confidence_table.h"
 #include "report/tables/cost_table.h"
 #include "report/tables/formats/terminal_format.h"
-#include "report/tables/means_table.h"
 #include "report/tables/ranked_table.h"
 #include "report/tables/sweep_tables.h"
-#include "report/text/budget_text.h"
 #include "report/text/confidence_text.h"
 #include "report/text/gate_text.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 #include "report/text/terminal_page.h"
-#include "report/text/truth_text.h"
 #include "study/judge/study_means.h"
 
 namespace gnomon::report {

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "study/judge/study_ranking.h"
+#include "study/judge/ranking.h"
 #include "study/record/record.h"
 #include "study/record/sweep_record.h"
 

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "report/paper/paper_options.h"
+#include "report/plots/line_plot.h"
 #include "report/run_folder.h"
 #include "study/judge/suite/suite_statistics.h"
 #include "study/record/record.h"
@@ -22,5 +26,17 @@ void writePaperFiles(const study::SweepRecord& sweep, const PaperOptions& option
 /// A suite's names begin with `suite-`: it shares its folder with the ranking.
 void writePaperFiles(const study::SuiteStatistics& statistics, const PaperOptions& options,
                      RunFolder& folder);
+
+/// What the table of a sweep is made of, of some methods alone. All methods where `labels` holds
+/// none of them.
+study::SweepRecord withMethods(const study::SweepRecord& sweep,
+                               const std::vector<std::string>& labels);
+
+/// Plots as figures of a paper, a PDF of one page each: as wide as asked for, the legend below, all
+/// text in one size. Same plots, same bytes.
+/// @param fontSize  points
+/// @throws InternalError as drawByGnuplot
+std::vector<std::string> paperPdfs(const std::vector<LinePlot>& plots, PaperWidth width,
+                                   double fontSize);
 
 }  // namespace gnomon::report

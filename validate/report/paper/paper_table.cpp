@@ -1,13 +1,26 @@
 #include "report/paper/paper_table.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <set>
 
 #include "common/lists.h"
+#include "common/text/words.h"
+#include "compare/counts.h"
 #include "report/suite/suite_tables.h"
 #include "report/tables/ranked_table.h"
+#include "report/tables/sweep_tables.h"
+#include "report/text/confidence_text.h"
+#include "report/text/latex_text.h"
+#include "report/text/number_text.h"
+#include "study/judge/study_means.h"
+#include "study/record/cases.h"
 
 namespace gnomon::report {
+
 namespace {
 
 std::string keyOf(const Column& column) {
@@ -54,6 +67,171 @@ Table withRows(Table table, const std::vector<std::string>& names) {
   if (std::all_of(table.rows.begin(), table.rows.end(), isOther)) return table;
   std::erase_if(table.rows, isOther);
   return table;
+}
+
+namespace {
+
+/// The file, macro by macro.
+class Numbers {
+ public:
+  explicit Numbers(const std::string& study) : prefix_("gnomon" + latexName(study)) {}
+
+  /// @param words  the name behind the study's
+  /// @param text   as people read it
+  void add(const std::vector<std::string>& words, const std::string& text,
+           const std::string& about) {
+    std::string name = prefix_;
+    for (const std::string& word : words) name += latexName(word);
+    while (!names_.insert(name).second) name += 'X';
+    text_ +=
+        fmt::format("\\newcommand{{\\{}}}{{{}}}% {}\n", name, escapeLatex(text), oneLine(about));
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string prefix_;
+  std::set<std::string> names_;
+  std::string text_;
+};
+
+/// What a figure is called, and what it is counted in.
+struct FigureWords {
+  std::string name, about;
+};
+
+FigureWords wordsOf(const Column& column) {
+  if (column.quantity == Quantity::rank) return {"rank", "rank"};
+  const std::string name = column.name == "95 %" ? "interval" : column.name;
+  switch (column.quantity) {
+    case Quantity::percent:
+      return {name, name + ", percent"};
+    case Quantity::interval:
+      return {name, column.name == "95 %" ? "95 % interval, percent" : name + ", percent"};
+    default:
+      return {name, heading(column)};
+  }
+}
+
+/// Whether people read it, and any run gives it again.
+bool isQuoted(const Column& column) {
+  return column.quantity != Quantity::exact && column.quantity != Quantity::name &&
+         column.key != "frame_ms";
+}
+
+/// Every figure of every row, and both ends of the intervals.
+void addRows(Numbers& numbers, const Table& table) {
+  for (const Row& row : table.rows) {
+    const std::string name = nameOf(table, row);
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      const Column& column = table.columns[i];
+      const Cell& cell = row.cells.at(i);
+      if (!isQuoted(column)) continue;
+      const FigureWords words = wordsOf(column);
+      const std::string about = name + ": " + words.about;
+      numbers.add({name, words.name}, cellText(column.quantity, cell), about);
+      if (column.quantity != Quantity::interval) continue;
+      numbers.add({name, words.name, "low"}, intervalEndText(lowOf(cell.interval)),
+                  about + ", its lower end");
+      numbers.add({name, words.name, "high"}, intervalEndText(highOf(cell.interval)),
+                  about + ", its upper end");
+    }
+  }
+}
+
+void addCount(Numbers& numbers, const std::string& name, std::size_t count,
+              const std::string& about) {
+  numbers.add({name}, groupedText(count), about);
+}
+
+/// What the truth counts in the cases of the first method.
+void addSamples(Numbers& numbers, const study::StudyRecord& record,
+                const study::RankedMethod& first) {
+  std::size_t samples = 0;
+  std::vector<std::optional<double>> shadowed;
+  for (const study::ResultRecord* row :
+       study::rankedRows(record, first.label, study::Answer::drawn)) {
+    samples += row->counts.samples;
+    shadowed.push_back(compare::rate(row->counts, compare::metrics::prevalence).value);
+  }
+  addCount(numbers, "samples", samples, "samples of all views and lights");
+  numbers.add({"prevalence"}, percentText(study::meanOf(shadowed)),
+              "share of the samples that the truth has in shadow, percent");
+}
+
+void addPlaces(Numbers& numbers, const study::StudyRecord& record) {
+  std::set<std::string> views, lights;
+  for (const study::Case& which : study::comparedCases(record)) {
+    views.insert(which.view);
+    lights.insert(which.light);
+  }
+  addCount(numbers, "views", views.size(), "how many views");
+  addCount(numbers, "lights", lights.size(), "how many lights");
+  if (views.size() == 1) numbers.add({"view"}, *views.begin(), "the view");
+  if (lights.size() == 1) numbers.add({"light"}, *lights.begin(), "the light");
+}
+
+void addTruth(Numbers& numbers, const study::StudyRecord& record) {
+  const study::TruthRecord& truth = record.truth;
+  const bool isMeasured = !truth.flips.empty() || truth.uncertainty > 0;
+  numbers.add({"largest uncertainty"},
+              percentText(isMeasured ? std::optional(truth.uncertainty) : std::nullopt),
+              std::string("largest uncertainty of the truth, percent of ") +
+                  errorWhole(study::isSoft(record)));
+  numbers.add({"step"}, stepText(truth.stepTexels), "longest side of a micro-triangle, texels");
+  numbers.add({"micro triangles"}, groupedText(truth.microTriangles), "triangles of the truth");
+}
+
+}  // namespace
+
+std::string latexName(std::string_view text) {
+  constexpr std::array<const char*, 10> digits = {"Zero", "One", "Two",   "Three", "Four",
+                                                  "Five", "Six", "Seven", "Eight", "Nine"};
+  std::string name;
+  bool isInWord = false;
+  for (const char c : text) {
+    const bool isSmall = c >= 'a' && c <= 'z';
+    const bool isDigit = c >= '0' && c <= '9';
+    if (isDigit) name += digits.at(static_cast<std::size_t>(c - '0'));
+    if (isSmall) name += isInWord ? c : static_cast<char>(c - 'a' + 'A');
+    if (c >= 'A' && c <= 'Z') name += c;
+    isInWord = isSmall || (c >= 'A' && c <= 'Z');
+  }
+  return name;
+}
+
+std::string numbersTex(const study::StudyRecord& record,
+                       const std::vector<study::RankedMethod>& ranked) {
+  Numbers numbers(record.name);
+  addPlaces(numbers, record);
+  addCount(numbers, "methods", ranked.size(), "how many methods");
+  if (!ranked.empty()) {
+    numbers.add({"best"}, ranked.front().label, "the method of the first row");
+    numbers.add({"uncertainty"}, percentText(ranked.front().uncertainty),
+                std::string("mean uncertainty of the truth, percent of ") +
+                    errorWhole(study::isSoft(record)));
+    addSamples(numbers, record, ranked.front());
+  }
+  addTruth(numbers, record);
+  numbers.add({"radius"}, stepText(record.radius.texels), "search radius, texels");
+  addRows(numbers, rankedTable(record, ranked));
+  return numbers.text();
+}
+
+std::string numbersTex(const study::SweepRecord& sweep) {
+  Numbers numbers(sweep.name);
+  addCount(numbers, "cases", sweep.cases.size(), "how many cases");
+  addRows(numbers, sweepSpreadTable(sweep));
+  constexpr std::size_t mostCases = 100;
+  if (sweep.cases.size() <= mostCases) addRows(numbers, sweepErrorsTable(sweep));
+  return numbers.text();
+}
+
+std::string numbersTex(const study::SuiteStatistics& statistics) {
+  Numbers numbers(statistics.suite);
+  addCount(numbers, "scenes", statistics.table.scenes.size(), "how many scenes");
+  addRows(numbers, suiteRankedTable(statistics));
+  return numbers.text();
 }
 
 }  // namespace gnomon::report

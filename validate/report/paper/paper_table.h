@@ -1,9 +1,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/tables/table.h"
+#include "study/judge/ranking.h"
+#include "study/judge/suite/suite_statistics.h"
+#include "study/record/record.h"
+#include "study/record/sweep_record.h"
 
 namespace gnomon::report {
 
@@ -19,5 +24,28 @@ Table withColumns(Table table, const std::vector<std::string>& keys);
 /// The table with the rows of these names alone, in its own order; as it is where it has none of
 /// them or none is given.
 Table withRows(Table table, const std::vector<std::string>& names);
+
+/// The figures that a paper quotes, as macros of LaTeX: `\newcommand{\gnomonFigureEight…}{1.60}`, a
+/// line each, with what it is as a comment. The texts are those of the tables, without units. Times
+/// of frames are left out, since no two runs share them.
+///
+/// A name is `\gnomon`, the study's name, the method's label, and the figure: see latexName. Where
+/// two would be the same, the later one ends in X.
+
+/// Of a study: for each method rank, error rate with its interval and its ends, the parts, IoU,
+/// BER and memory; the truth's uncertainty, prevalence, samples, light, views, search radius, step.
+std::string numbersTex(const study::StudyRecord& record,
+                       const std::vector<study::RankedMethod>& ranked);
+
+/// Of a sweep: each method's mean, least and largest error rate, and of up to 100 cases its error
+/// rate in each.
+std::string numbersTex(const study::SweepRecord& sweep);
+
+/// Of a suite: the columns of suiteRankedTable, and how many scenes it has.
+std::string numbersTex(const study::SuiteStatistics& statistics);
+
+/// A text as part of the name of a macro, which takes letters alone: each word with a capital, each
+/// digit as a word, all else left out: "onoue-2004" is "OnoueTwoZeroZeroFour".
+std::string latexName(std::string_view text);
 
 }  // namespace gnomon::report

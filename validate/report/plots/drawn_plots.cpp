@@ -12,7 +12,7 @@
 #include "cache/cache.h"
 #include "common/parallel.h"
 #include "report/plots/gnuplot.h"
-#include "report/plots/plot_style.h"
+#include "report/plots/line_plot.h"
 
 namespace gnomon::report {
 namespace {

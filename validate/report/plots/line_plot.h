@@ -1,17 +1,77 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "compare/confidence_interval.h"
+#include "render/method.h"
 #include "report/plots/drawn_plots.h"
-#include "report/plots/plot_style.h"
 #include "study/judge/study_means.h"
 #include "study/judge/suite/suite_statistics.h"
 
 namespace gnomon::report {
+
+// The colours and symbols of all plots. A method looks the same in every plot of every report: its
+// colour is that of its family, its symbol and dashes follow from its file, its name and its label
+// alone.
+
+/// A colour on a white page and on a dark one.
+struct PlotColour {
+  std::string_view name;
+  std::string_view onWhite, onDark;
+};
+
+/// The families' colours, as render::methodFamilies has them; "own" of files that name none. Any
+/// two differ by 20 or more in CIELAB to eyes with full colour vision and to those with protanopia,
+/// deuteranopia or tritanopia (Machado, Oliveira & Fernandes 2009, severity 1), and stand out from
+/// their page by a contrast of 3 or more (WCAG 2).
+constexpr std::array<PlotColour, 8> familyColours = {{
+    {"control", "#1a1d21", "#e8eaed"},
+    {"flat", "#c57500", "#c16309"},
+    {"curvature", "#01684d", "#03ca87"},
+    {"march", "#2a80ff", "#187cf5"},
+    {"displaced", "#611263", "#ff89e8"},
+    {"engine", "#ad8b58", "#d9bb05"},
+    {"ours", "#840000", "#c9143e"},
+    {"own", "#0e249b", "#884ea3"},
+}};
+
+/// Texts, axes, grids and the band of the truth's uncertainty, and the page itself. Texts have the
+/// colour of the family "control".
+constexpr std::array<PlotColour, 4> frameColours = {{{"axis", "#5b626b", "#a0a8b2"},
+                                                     {"grid", "#dde1e6", "#31363d"},
+                                                     {"band", "#c8c8c8", "#454b53"},
+                                                     {"page", "#ffffff", "#14171b"}}};
+constexpr std::string_view inkColour = familyColours[0].onWhite;
+constexpr std::string_view axisColour = frameColours[0].onWhite;
+constexpr std::string_view gridColour = frameColours[1].onWhite;
+constexpr std::string_view bandColour = frameColours[2].onWhite;
+
+/// CSS for gnuplot's SVG: on dark screens its colours on white become those on dark.
+const std::string& darkStyle();
+
+/// How a method is drawn.
+struct MethodStyle {
+  std::string family;  ///< one of familyColours
+  int point = 7;       ///< gnuplot's number of a point's shape
+  int dash = 1;        ///< gnuplot's number of a line's dashes; 1 is solid
+  bool operator==(const MethodStyle&) const = default;
+};
+
+/// A method under its own name has its file's symbol, filled, and a solid line. A variant, which is
+/// any other label, has an outlined symbol and dashes that follow from its label. Where a file
+/// names no symbol, that follows from the method's name.
+/// @param name   the method's own
+/// @param label  of its entry in the study
+MethodStyle methodStyle(const std::string& name, const std::string& label,
+                        const render::MethodMark& mark);
+
+/// gnuplot's clause of lines and points in a style.
+std::string styleClause(const MethodStyle& style);
 
 /// A point of a curve; a gap where it has no y, a bar where it has an interval.
 struct PlotPoint {

@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "common/lists.h"
-#include "compare/rates.h"
-#include "report/tables/frontier_table.h"
+#include "compare/counts.h"
+#include "report/tables/cost_table.h"
 #include "report/text/number_text.h"
 #include "study/record/cases.h"
-#include "study/record/confidence_record.h"
-#include "study/spec/file_names.h"
+#include "study/record/record.h"
+#include "study/spec/sections/study_paths.h"
 
 namespace gnomon::report {
 namespace {

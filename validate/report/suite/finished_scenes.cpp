@@ -8,11 +8,10 @@
 #include <utility>
 
 #include "common/error.h"
-#include "report/json/json_reader.h"
+#include "report/json/json_values.h"
 #include "report/json/summary_json.h"
-#include "report/json/summary_reader.h"
-#include "report/suite/suite_json.h"
-#include "report/text/names.h"
+#include "report/suite/suite_files.h"
+#include "report/text/number_text.h"
 
 namespace gnomon::report {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "study/judge/study_means.h"
-#include "study/judge/suite/suite_agreement.h"
+#include "study/judge/suite/chosen_settings.h"
 
 namespace gnomon::report {
 

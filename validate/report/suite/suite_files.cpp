@@ -2,19 +2,26 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "report/json/json_values.h"
+#include "report/page/html_page.h"
 #include "report/paper/paper_files.h"
+#include "report/plots/line_plot.h"
 #include "report/plotted_methods.h"
-#include "report/suite/suite_html.h"
-#include "report/suite/suite_json.h"
 #include "report/suite/suite_plots.h"
 #include "report/suite/suite_tables.h"
-#include "report/tables/formats/csv_format.h"
-#include "report/tables/formats/markdown_format.h"
+#include "report/tables/formats/html_format.h"
+#include "report/tables/formats/text_formats.h"
+#include "report/text/confidence_text.h"
+#include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
+#include "study/spec/toml/toml_text.h"
 
 namespace gnomon::report {
+
 namespace {
 
 void writeTables(const study::SuiteStatistics& statistics,
@@ -54,6 +61,303 @@ bool writeSuiteOf(std::span<const study::StudyMeans> studies, std::string_view c
   }
   folder.write("suite.json", suiteJson(statistics, command));
   return true;
+}
+
+namespace {
+
+/// An interval under two keys.
+void addInterval(Json& json, const char* low, const char* high,
+                 const std::optional<compare::Interval>& interval) {
+  json[low] = jsonNumber(lowOf(interval), low);
+  json[high] = jsonNumber(highOf(interval), high);
+}
+
+Json methodJson(const study::SuiteMethod& method) {
+  const auto count = [&](std::size_t compare::SceneRank::*of) {
+    return method.rank ? Json((*method.rank).*of) : Json(nullptr);
+  };
+  const compare::SceneSpread& spread = method.spread;
+  Json json = {{"label", method.label},
+               {"names", method.names},
+               {"rank", count(&compare::SceneRank::rank)},
+               {"rank_low", count(&compare::SceneRank::low)},
+               {"rank_high", count(&compare::SceneRank::high)},
+               {"rank_stability",
+                jsonNumber(method.rank ? std::optional(method.rank->stability) : std::nullopt,
+                           "methods.rank_stability")},
+               {"scenes", spread.scenes},
+               {"mean", jsonNumber(spread.mean, "methods.mean")}};
+  addInterval(json, "low", "high", method.interval);
+  json["reason"] = jsonReason(method.reason);
+  json["median"] = jsonNumber(spread.median, "methods.median");
+  json["quartile_1"] = jsonNumber(spread.lowerQuartile, "methods.quartile_1");
+  json["quartile_3"] = jsonNumber(spread.upperQuartile, "methods.quartile_3");
+  json["percentile_95"] = jsonNumber(spread.percentile95, "methods.percentile_95");
+  json["worst_twentieth"] = jsonNumber(spread.worstTwentieth, "methods.worst_twentieth");
+  json["worst"] = jsonNumber(spread.worst, "methods.worst");
+  json["worst_scene"] = method.worstScene;
+  json["uncertainty"] = jsonNumber(method.uncertainty, "methods.uncertainty");
+  return json;
+}
+
+Json pairJson(const study::SuitePair& pair) {
+  Json json = {{"first", pair.first},
+               {"second", pair.second},
+               {"scenes", pair.wins.scenes},
+               {"wins", pair.wins.wins},
+               {"ties", pair.wins.ties},
+               {"win_probability", jsonNumber(pair.wins.probability, "pairs.win_probability")}};
+  addInterval(json, "win_low", "win_high", pair.wins.interval);
+  json["difference"] = jsonNumber(pair.difference, "pairs.difference");
+  addInterval(json, "low", "high", pair.interval);
+  json["reason"] = jsonReason(pair.reason);
+  json["uncertainty"] = jsonNumber(pair.uncertainty, "pairs.uncertainty");
+  json["p"] = jsonNumber(pair.probability, "pairs.p");
+  json["p_holm"] = jsonNumber(pair.adjusted, "pairs.p_holm");
+  addInterval(json, "corrected_low", "corrected_high", pair.corrected);
+  json["verdict"] = differenceVerdictName(pair.verdict);
+  return json;
+}
+
+Json binJson(const study::SuiteBin& bin) {
+  Json json = {{"method", bin.method},
+               {"axis", bin.axis},
+               {"low", jsonNumber(bin.low, "bins.low")},
+               {"high", jsonNumber(bin.high, "bins.high")},
+               {"scenes", bin.error.scenes},
+               {"weight", jsonNumber(bin.error.weight, "bins.weight")},
+               {"error_rate", jsonNumber(bin.error.errorRate, "bins.error_rate")}};
+  addInterval(json, "error_low", "error_high", bin.error.interval);
+  return json;
+}
+
+Json sceneJson(const study::SuiteScene& scene) {
+  return {{"name", scene.name},
+          {"title", scene.title},
+          {"report", scene.report.empty() ? Json(nullptr) : Json(scene.report)},
+          {"median", jsonNumber(scene.median, "scenes.median")},
+          {"best", scene.best.empty() ? Json(nullptr) : Json(scene.best)},
+          {"best_error_rate", jsonNumber(scene.bestError, "scenes.best_error_rate")},
+          {"leader_error_rate", jsonNumber(scene.leaderError, "scenes.leader_error_rate")},
+          {"uncertainty", jsonNumber(scene.uncertainty, "scenes.uncertainty")}};
+}
+
+/// A row a scene × method.
+Json resultsJson(const compare::SceneTable& table) {
+  Json results = Json::array();
+  for (std::size_t s = 0; s < table.scenes.size(); ++s) {
+    for (std::size_t m = 0; m < table.methods.size(); ++m) {
+      results.push_back({{"scene", table.scenes[s]},
+                         {"method", table.methods[m]},
+                         {"error_rate", jsonNumber(table.errors[m][s], "results.error_rate")}});
+    }
+  }
+  return results;
+}
+
+}  // namespace
+
+std::string suiteJson(const study::SuiteStatistics& statistics, std::string_view command) {
+  const Json json = {{"schema", suiteSchema},
+                     {"suite", statistics.suite},
+                     {"statistic", suiteFigure(statistics).key},
+                     {"command", command},
+                     {"methods", jsonList(statistics.methods, methodJson)},
+                     {"comparisons", statistics.comparisons},
+                     {"pairs", jsonList(statistics.pairs, pairJson)},
+                     {"bins", jsonList(statistics.bins, binJson)},
+                     {"scenes", jsonList(statistics.scenes, sceneJson)},
+                     {"results", resultsJson(statistics.table)}};
+  return jsonText(json);
+}
+
+namespace {
+
+using Q = Quantity;
+
+std::string valueText(const study::TriedValue& value) {
+  return value.value.empty() ? "as declared" : value.value;
+}
+
+/// "# max-forsyth, bake.azimuths: 32 1.20 %, 16 1.54 %, 64 1.08 % (chosen); 200 scenes"
+std::string commentOf(const study::SuiteMethods& methods, const study::TriedSetting& setting) {
+  std::string text =
+      fmt::format("# {}, {}:", study::labelOfMethod(methods.methods[setting.method]), setting.key);
+  for (std::size_t i = 0; i < setting.values.size(); ++i) {
+    const study::TriedValue& value = setting.values[i];
+    text += fmt::format("{} {} {} %{}", i == 0 ? "" : ",", valueText(value),
+                        percentText(value.mean), i == setting.best ? " (chosen)" : "");
+  }
+  return text + fmt::format("; {} scenes\n", setting.scenes);
+}
+
+}  // namespace
+
+Table suiteSettingsTable(const study::SuiteMethods& methods,
+                         const std::vector<study::TriedSetting>& tried) {
+  Table table{.kind = "suite-settings",
+              .columns = {{.name = "Method", .quantity = Q::name},
+                          {.name = "Setting", .quantity = Q::code},
+                          {.name = "Value", .quantity = Q::text},
+                          {.name = "Mean", .key = "mean_error_rate", .quantity = Q::percent},
+                          {.name = "Scenes", .quantity = Q::count},
+                          {.name = "Chosen", .quantity = Q::text}}};
+  for (const study::TriedSetting& setting : tried) {
+    for (std::size_t i = 0; i < setting.values.size(); ++i) {
+      const study::TriedValue& value = setting.values[i];
+      const std::string note = i != setting.best ? "" : (i == 0 ? "the authors'" : "chosen");
+      table.rows.push_back({{textCell(study::labelOfMethod(methods.methods[setting.method])),
+                             textCell(setting.key), textCell(valueText(value)),
+                             valueCell(value.mean), countCell(setting.scenes), textCell(note)}});
+    }
+  }
+  return table;
+}
+
+std::string chosenSettingsText(const study::SuiteMethods& methods,
+                               const std::vector<study::TriedSetting>& tried,
+                               const std::string& scenes) {
+  std::string text = fmt::format(
+      "# Settings with the least mean error on {}, one at a time; the authors' value first.\n",
+      scenes);
+  for (const study::TriedSetting& setting : tried) text += commentOf(methods, setting);
+  toml::array chosen;
+  for (toml::table& method : study::chosenMethods(methods, tried)) {
+    chosen.push_back(std::move(method));
+  }
+  if (chosen.empty()) return text;  // every authors' value was the best
+  return text + "\n" + study::tomlText(toml::table{{"method", std::move(chosen)}});
+}
+
+namespace {
+
+constexpr std::size_t mostHardScenes = 10;
+
+/// The methods with a rank that the first is not known to differ from.
+study::LikeMethods likeFirst(const study::SuiteStatistics& statistics) {
+  study::LikeMethods like;
+  const std::string& first = statistics.methods.front().label;
+  for (const study::SuiteMethod& method : statistics.methods) {
+    const auto pair = method.rank ? study::findPair(statistics, first, method.label) : std::nullopt;
+    if (pair) like.add(method.label, pair->verdict);
+  }
+  return like;
+}
+
+Html bestOf(const study::SuiteStatistics& statistics) {
+  if (statistics.methods.empty() || !statistics.methods.front().rank) {
+    return html("No method was measured on every scene, so that none can be called the best.");
+  }
+  const study::SuiteMethod& best = statistics.methods.front();
+  const std::string alike = likeText(likeFirst(statistics));
+  const Html interval =
+      best.interval ? html(" (95&#8239;% interval {})", intervalText(best.interval)) : Html();
+  return html(
+      "<b>{}</b> has {}: <b>{}&#8239;%</b> on average{}, {}&#8239;% on the worst twentieth of the "
+      "scenes. {}",
+      best.label, leastErrorText(statistics.isSoft), percentText(best.spread.mean), interval,
+      percentText(best.spread.worstTwentieth),
+      alike.empty() ? html("It is distinguishable from every other ranked method.")
+                    : html("Its comparisons: {}.", alike));
+}
+
+/// What a figure of the page is.
+std::string figureText(const study::SuiteStatistics& statistics) {
+  if (!statistics.isSoft)
+    return "the share of wrong samples, mean over the scene’s lights and views";
+  return "the mean of |ΔV| (mae), by how much of the light’s disc a sample sees too little, false "
+         "shadow, or too much, false light, mean over the scene’s lights and views";
+}
+
+Html header(const study::SuiteStatistics& statistics) {
+  return html(
+      "<h1>{}: {} over {}</h1>\n<p class=\"source\">On every scene the methods’ shadows were "
+      "compared, sample by sample, with ray tracing of the displaced surface; a figure is {}. "
+      "The scenes were drawn from one population and the scene is the unit: intervals and verdicts "
+      "hold for further scenes drawn likewise.</p>\n<p class=\"lead\">{}</p>\n",
+      statistics.suite, plural(statistics.methods.size(), "method"),
+      plural(statistics.table.scenes.size(), "scene"), figureText(statistics), bestOf(statistics));
+}
+
+/// A note and what it is about; nothing without that.
+Html noted(const Html& note, const Html& content) {
+  return content.empty() ? Html() : html("<p class=\"note\">{}</p>\n{}", note, content);
+}
+
+Html rankedSection(const study::SuiteStatistics& statistics) {
+  return htmlSection(
+      "ranking", "Methods, best first",
+      noted(
+          html("Percent of {}. <b>Worst 5&#8239;%</b> is the mean over the worst "
+               "twentieth of the scenes. <b>Ranks</b> are those of 95&#8239;% of the resamples of "
+               "the scenes, <b>same rank</b> the share of them in which the rank is the one in "
+               "the table. Compared with the first, by Holm’s correction over all {} of methods: "
+               "{}.",
+               suiteFigure(statistics).of, plural(statistics.comparisons, "pair"), signMeaning),
+          htmlTable(suiteRankedTable(statistics))));
+}
+
+Html leaderSection(const study::SuiteStatistics& statistics) {
+  const Table table = suiteLeaderTable(statistics);
+  if (table.rows.empty()) return {};
+  return htmlSection(
+      "first", "Against " + statistics.methods.front().label,
+      noted(html("Paired by scene. A scene on which two methods differ by no more than the truth’s "
+                 "uncertainty counts half for each."),
+            htmlTable(table)));
+}
+
+Html winsSection(const std::vector<DrawnPlot>& plots) {
+  return htmlSection(
+      "wins", "Who beats whom",
+      noted(html("How probable it is, in percent, that the method of the row has a smaller error "
+                 "than that of the column on a new scene. Blue above 50, orange below it; "
+                 "no colour where the two are not known to differ: ≈ not distinguishable, = the "
+                 "same answers, ? no interval."),
+            htmlPlots(plots, "wins")));
+}
+
+Html binsSection(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots) {
+  Html tables;
+  for (const std::string& axis : suiteAxes(statistics)) {
+    tables += html("<h3>{}</h3>\n{}", axisTitle(axis), htmlTable(suiteBinsTable(statistics, axis)));
+  }
+  if (tables.empty()) return {};
+  return htmlSection(
+      "bins", "Where methods fail",
+      noted(
+          html("Error among the samples of all scenes that lie in a bin, each scene with the same "
+               "weight. Bars are 95&#8239;% intervals over the scenes; errors below "
+               "0.01&#8239;% are drawn at 0.01&#8239;%. The tables have all methods."),
+          htmlPlots(plots, "bins") +
+              html("<details>\n<summary>All methods</summary>\n{}</details>\n", tables)));
+}
+
+Html hardSection(const study::SuiteStatistics& statistics) {
+  const Table table = suiteScenesTable(statistics, mostHardScenes);
+  if (statistics.methods.empty() || !statistics.methods.front().rank) return {};
+  return htmlSection("scenes", "The hardest scenes",
+                     noted(html("The {} with the largest median of the ranked methods’ errors, "
+                                "percent of {}.",
+                                plural(table.rows.size(), "scene"), suiteFigure(statistics).of),
+                           htmlTable(table)));
+}
+
+}  // namespace
+
+Html suiteHtml(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots,
+               std::string_view command) {
+  const Html curves = htmlSection(
+      "errors", "Share of the scenes with an error below",
+      noted(html("The farther up and to the left a curve runs, the better the method. It reaches "
+                 "100&#8239;% at the method’s worst scene. Errors below 0.01&#8239;% are drawn at "
+                 "0.01&#8239;%. {}",
+                 plotReading),
+            htmlPlots(plots, "plots")));
+  return htmlPage(statistics.suite, header(statistics),
+                  rankedSection(statistics) + curves + winsSection(plots) +
+                      leaderSection(statistics) + binsSection(statistics, plots) +
+                      hardSection(statistics) + htmlReproduction(command));
 }
 
 }  // namespace gnomon::report

@@ -3,9 +3,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "report/paper/paper_options.h"
+#include "report/plots/drawn_plots.h"
 #include "report/run_folder.h"
+#include "report/tables/table.h"
+#include "report/text/html.h"
+#include "study/judge/suite/chosen_settings.h"
 #include "study/judge/suite/suite_statistics.h"
 
 namespace gnomon::report {
@@ -28,5 +33,33 @@ enum class SuiteParts { all, figures };
 /// @returns whether it does
 bool writeSuiteOf(std::span<const study::StudyMeans> studies, std::string_view command,
                   SuiteParts parts, const PaperOptions& paper, RunFolder& folder);
+
+/// The value of "schema". A reader may rely on the keys below as long as it does not change.
+constexpr std::string_view suiteSchema = "gnomon-suite/1";
+
+/// The statistics over the scenes of a suite as JSON: docs/summary.md documents every key.
+/// @throws InternalError naming the key for a number that is not finite
+std::string suiteJson(const study::SuiteStatistics& statistics, std::string_view command);
+
+/// The settings that were tried on train: a row a value, with its mean error over the scenes and a
+/// mark for the value that was chosen.
+Table suiteSettingsTable(const study::SuiteMethods& methods,
+                         const std::vector<study::TriedSetting>& tried);
+
+/// The chosen methods as the file that `gnomon suite --settings` reads, with what they were chosen
+/// from as a comment.
+/// @param scenes  "suite-1, 200 scenes"
+std::string chosenSettingsText(const study::SuiteMethods& methods,
+                               const std::vector<study::TriedSetting>& tried,
+                               const std::string& scenes);
+
+/// The statistics over the scenes of a suite as one page that loads nothing: the ranked methods,
+/// their errors as curves, who beats whom, where methods fail, and the hardest scenes. It lies
+/// beside the scenes' folders and links to their reports.
+/// @param plots    suitePlots of the statistics
+/// @param command  reproduces the run
+/// @throws InternalError for a number that is not finite
+Html suiteHtml(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots,
+               std::string_view command);
 
 }  // namespace gnomon::report

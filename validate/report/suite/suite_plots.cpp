@@ -10,7 +10,6 @@
 #include "common/lists.h"
 #include "report/plots/gnuplot.h"
 #include "report/suite/suite_tables.h"
-#include "report/text/names.h"
 #include "report/text/number_text.h"
 
 namespace gnomon::report {

@@ -7,10 +7,9 @@
 #include <utility>
 
 #include "common/lists.h"
-#include "report/text/names.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
-#include "study/judge/study_ranking.h"
+#include "study/judge/ranking.h"
 #include "study/run/scene/sample_axes.h"
 
 namespace gnomon::report {

@@ -1,7 +1,7 @@
 #include "report/tables/budget_table.h"
 
-#include "report/text/budget_text.h"
-#include "report/text/names.h"
+#include "report/text/confidence_text.h"
+#include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 
 namespace gnomon::report {

@@ -6,12 +6,15 @@
 #include <array>
 #include <map>
 
+#include "report/text/confidence_text.h"
+#include "report/text/gate_text.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 #include "study/judge/distinguish.h"
 #include "study/record/result_metrics.h"
 
 namespace gnomon::report {
+
 namespace {
 
 struct CaseMetric {
@@ -265,6 +268,96 @@ Table binsTable(const study::StudyRecord& record) {
     for (const compare::MetricId id : binRates)
       row.cells.push_back(valueCell(compare::rate(bin.counts, id).value));
     table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+namespace {
+
+Row confidenceRow(const study::StudyRecord& record, const study::ConfidenceRecord& row,
+                  const std::string& best) {
+  Row cells{{textCell(row.method), valueCell(row.rate), intervalCell(row.interval, row.reason)}};
+  const auto worse = study::differenceOf(record, row.view, row.light, row.method, best);
+  if (row.method == best || !worse) {
+    cells.cells.push_back(textCell(""));
+    cells.cells.push_back(textCell(""));
+    return cells;
+  }
+  cells.cells.push_back(valueCell(worse->difference));
+  cells.cells.push_back(intervalCell(worse->interval, worse->reason));
+  cells.mark = differenceSign(worse->verdict);
+  return cells;
+}
+
+}  // namespace
+
+Table confidenceTable(const study::StudyRecord& record, const std::string& view) {
+  using Q = Quantity;
+  Table table{.kind = "confidence",
+              .columns = {{"Method", "method", Q::name},
+                          {"Error", "error_rate", Q::percent},
+                          {"95 %", "", Q::interval},
+                          {"To best", "to_best", Q::signedPercent},
+                          {"95 %", "to_best", Q::interval}}};
+  table.columns[0].width = 44;
+  const std::vector<study::ConfidenceRecord> ranked = rankedIn(record, view);
+  for (const study::ConfidenceRecord& row : ranked) {
+    table.rows.push_back(confidenceRow(record, row, ranked.front().method));
+  }
+  table.notes = noIntervalNotes(differencesToBest(record, view));
+  return table;
+}
+
+namespace {
+
+Cell verdictCell(const study::Judgement& judgement) {
+  Cell cell = textCell(gateVerdictName(judgement.verdict));
+  cell.emphasis = judgement.isFault() ? Emphasis::bad : Emphasis::good;
+  return cell;
+}
+
+/// "undefined" with the reason for whoever points at it.
+Cell gateValueCell(const std::optional<double>& value, const std::string& reason) {
+  Cell cell = valueCell(value, value ? exactText(*value) : reason);
+  cell.text = value ? fmt::format("{:.4g}", *value) : "undefined";
+  return cell;
+}
+
+Cell changeCell(const study::Judgement& judgement, std::optional<double> committed) {
+  if (!judgement.value || !committed) return {};
+  Cell cell = valueCell(*judgement.value - *committed);
+  cell.text = fmt::format("{:+.3g}", *cell.value);
+  return cell;
+}
+
+}  // namespace
+
+Table gateTable(std::span<const study::Judgement> judgements) {
+  using Q = Quantity;
+  const study::Gate& first = judgements.front().gate;
+  const bool isReference = study::committedValue(first).has_value();
+  // All references are of the region of all samples.
+  const unsigned forReferences = isReference ? byAll : 0U;
+  const unsigned forThresholds = isReference ? 0U : byAll;
+  Table table{.kind = gateOriginName(first) + "s",
+              .columns = {{"", "verdict"},
+                          {"Method", "method"},
+                          {"View", "view"},
+                          {"Light", "light"},
+                          {"Region", "region", Q::text, forThresholds},
+                          {"Metric", "metric"},
+                          {"Committed", "committed", Q::exact, forReferences},
+                          {"Value", "value", Q::exact},
+                          {"Change", "change", Q::exact, forReferences},
+                          {"Limit", "limit", Q::exact}}};
+  for (const study::Judgement& judgement : judgements) {
+    const study::Gate& gate = judgement.gate;
+    const std::optional<double> committed = study::committedValue(gate);
+    table.rows.push_back(
+        {{verdictCell(judgement), textCell(gate.method), textCell(gate.view), textCell(gate.light),
+          textCell(gate.region), textCell(std::string(gate.metric.name())),
+          gateValueCell(committed, ""), gateValueCell(judgement.value, judgement.reason),
+          changeCell(judgement, committed), textCell(limitText(gate))}});
   }
   return table;
 }

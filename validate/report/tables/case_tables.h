@@ -1,9 +1,11 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "report/tables/table.h"
 #include "study/record/cases.h"
+#include "study/record/gate.h"
 #include "study/record/record.h"
 
 namespace gnomon::report {
@@ -32,5 +34,15 @@ Table binsTable(const study::StudyRecord& record);
 /// @param links    where each case leads to
 Table caseErrorsTable(const study::StudyRecord& record, const std::vector<std::string>& methods,
                       std::span<const study::Case> cases, std::span<const std::string> links);
+
+/// The methods of a view from the lowest error rate to the highest, each with its interval, and how
+/// much worse than the best it is, with the interval of that; signs as differenceSign has them.
+/// Without rows if the record has no intervals.
+Table confidenceTable(const study::StudyRecord& record, const std::string& view);
+
+/// Gates, each with its verdict, what it judges, the value and the limit; references also with
+/// their committed value and the change.
+/// @param judgements  one or more, of one origin
+Table gateTable(std::span<const study::Judgement> judgements);
 
 }  // namespace gnomon::report

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "common/system/memory.h"
-#include "report/text/interval_text.h"
+#include "report/text/confidence_text.h"
 #include "report/text/number_text.h"
 
 namespace gnomon::report {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compare/confidence_interval.h"
-#include "compare/rates.h"
+#include "compare/counts.h"
 
 namespace gnomon::report {
 

@@ -1,19 +1,21 @@
 #include "report/text/confidence_text.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "common/lists.h"
-#include "report/text/budget_text.h"
-#include "report/text/interval_text.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 #include "study/judge/distinguish.h"
 #include "study/judge/study_means.h"
+#include "study/run/stages/budget.h"
 
 namespace gnomon::report {
+
 namespace {
 
 /// What several rows say of one figure: "0.30", or "0.30 to 0.55" where they differ.
@@ -125,6 +127,110 @@ std::string confidenceNote(const study::StudyRecord& record, const std::string& 
       errorWhole(study::isSoft(record)), intervalMeaning,
       blocks.text([](double count) { return fmt::format("{}", count); }), ranked.front().blockSide,
       ranked.front().blockSide, signMeaning, truth);
+}
+
+std::string restName(std::string_view rest) {
+  return fmt::format("left: {}", rest);
+}
+
+std::string budgetNote(const study::BudgetRecord& budget, bool isSoft) {
+  return fmt::format(
+      "Percent of {} of view {}, {}. A cause’s share is the error before the cause is "
+      "corrected minus the error after. Causes are corrected in the order of the list (forward) or "
+      "from its end (backward), each time starting from the published method. A share below zero: "
+      "the correction made the error larger. {} It comes from {} blocks. ≈ not distinguishable "
+      "from zero: the interval contains 0, or the share is within the truth’s uncertainty of {} %; "
+      "= no answer changed; ? no interval. What is left is split by region, each sample in the "
+      "first that it is "
+      "in: "
+      "{}.",
+      errorWhole(isSoft), budget.view,
+      budget.light == "all" ? "mean over all lights" : budget.light, intervalMeaning, budget.blocks,
+      percentText(budget.uncertainty), fmt::join(study::budgetRestNames(), ", "));
+}
+
+std::string orderText(const study::BudgetRecord& budget, bool isSoft) {
+  const double moved = study::orderDependence(budget);
+  if (!(budget.total.value > 0)) return "No error to attribute.";
+  return fmt::format(
+      "{} % wrong. The two orders assign {} % of {}, {:.0f} % of the error, to different "
+      "causes.",
+      percentText(budget.total.value), percentText(moved), errorWhole(isSoft),
+      100 * moved / budget.total.value);
+}
+
+std::vector<std::string> budgetLights(const study::StudyRecord& record) {
+  std::vector<std::string> lights;
+  for (const study::BudgetRecord& budget : record.budgets) {
+    appendOnce(lights, budget.light);
+  }
+  return lights;
+}
+
+std::vector<study::BudgetRecord> budgetsOf(const study::StudyRecord& record,
+                                           const std::string& light) {
+  std::vector<study::BudgetRecord> budgets;
+  for (const study::BudgetRecord& budget : record.budgets) {
+    if (budget.light == light) budgets.push_back(budget);
+  }
+  return budgets;
+}
+
+std::string intervalEndText(std::optional<double> end) {
+  if (!end) return "–";
+  const double percent = 100 * requireFinite(*end, "interval");
+  const double rounded = std::round(100 * percent) / 100;
+  return fmt::format("{}{:.2f}", rounded < 0 ? "−" : "", std::abs(rounded));
+}
+
+std::string intervalText(const std::optional<compare::Interval>& interval) {
+  return interval ? intervalEndText(interval->low) + " to " + intervalEndText(interval->high) : "–";
+}
+
+std::optional<double> lowOf(const std::optional<compare::Interval>& interval) {
+  return interval ? std::optional(interval->low) : std::nullopt;
+}
+
+std::optional<double> highOf(const std::optional<compare::Interval>& interval) {
+  return interval ? std::optional(interval->high) : std::nullopt;
+}
+
+std::string stepText(double texels) {
+  return fmt::format("{:.4g}", requireFinite(texels, "truth.step_texels"));
+}
+
+std::string flipText(std::optional<double> rate) {
+  return rate ? fmt::format("{:.3g}", 100 * requireFinite(*rate, "flip rate")) : "–";
+}
+
+std::string radiusText(const study::RadiusRecord& radius) {
+  return fmt::format("{} texels: {}", stepText(radius.texels), radius.reason);
+}
+
+std::string truthErrorText(const study::TruthRecord& truth) {
+  const auto largest =
+      std::max_element(truth.flips.begin(), truth.flips.end(),
+                       [](const auto& a, const auto& b) { return a.flipRate < b.flipRate; });
+  if (largest == truth.flips.end() || !largest->brightening) return "";
+  const study::UncertaintyRecord& flip = *largest;
+  const double change = *flip.brightening;
+  const std::string where =
+      truth.flips.size() == 1
+          ? ""
+          : fmt::format(" under \"{}\" in \"{}\", the most", flip.light, flip.view);
+  if (!flip.percentile999) {
+    return fmt::format(
+        "Traced at half its resolution the truth changes at {} % of the samples{}. Of all samples "
+        "{} "
+        "% more turn {} than the reverse.",
+        flipText(flip.flipRate), where, flipText(std::abs(change)), change < 0 ? "dark" : "lit");
+  }
+  return fmt::format(
+      "Traced at half its resolution, toward half as many directions, V changes by {:.2g} in the "
+      "mean{}. A single sample may be off by far more: 99.9 % of them change by at most {:.2g}. In "
+      "the mean the coarser truth is {} by {:.2g}.",
+      flip.flipRate, where, *flip.percentile999, change < 0 ? "darker" : "brighter",
+      std::abs(change));
 }
 
 }  // namespace gnomon::report

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/overloaded.h"
+#include "common/lists.h"
 #include "study/record/cases.h"
 
 namespace gnomon::report {

@@ -1,7 +1,7 @@
 #include "report/text/html.h"
 
-#include "image/web_picture.h"
-#include "report/text/utf8_text.h"
+#include "image/images.h"
+#include "report/text/text_width.h"
 
 namespace gnomon::report {
 

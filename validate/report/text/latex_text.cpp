@@ -6,8 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "common/text/one_line.h"
-#include "common/text/utf8.h"
+#include "common/text/words.h"
 
 namespace gnomon::report {
 namespace {

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "study/record/record.h"
+
 namespace gnomon::report {
 
 /// The number itself, if it is one. No report may hold a value that is not finite.
@@ -49,5 +51,17 @@ std::string binText(const std::optional<double>& low, const std::optional<double
 
 /// An integer with its thousands apart (by a narrow no-break space): "33 554 432".
 std::string groupedText(std::uint64_t value);
+
+/// "pass", "fail" or "not judged": in every kind of report.
+std::string_view runStatusName(study::RunStatus status);
+
+/// "study", "mesh", "image" or "shader".
+std::string_view inputKindName(study::InputRecord::Kind kind);
+
+/// "better", "worse", "equal", "not distinguishable" or "no interval": the first of two methods.
+std::string_view differenceVerdictName(study::DifferenceVerdict verdict);
+
+/// "shaded", "difference" or "displaced".
+std::string_view pictureKindName(study::PictureRecord::Kind kind);
 
 }  // namespace gnomon::report

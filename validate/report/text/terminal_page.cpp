@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "report/text/names.h"
 #include "report/text/number_text.h"
 #include "report/text/text_width.h"
 

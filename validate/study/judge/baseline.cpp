@@ -10,7 +10,7 @@
 
 #include "common/error.h"
 #include "common/lists.h"
-#include "compare/metric_range.h"
+#include "compare/metric.h"
 #include "compare/shadow_length.h"
 #include "study/judge/gates.h"
 #include "study/record/result_metrics.h"

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "study/record/cases.h"
-#include "study/record/check_record.h"
 #include "study/record/record.h"
 
 namespace gnomon::study {

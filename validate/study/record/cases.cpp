@@ -3,9 +3,10 @@
 #include <algorithm>
 
 #include "common/lists.h"
-#include "compare/rates.h"
+#include "compare/counts.h"
 
 namespace gnomon::study {
+
 namespace {
 
 bool belongsTo(const ResultRecord& result, const Case& which) {

@@ -1,25 +1,140 @@
 #pragma once
 
+#include <toml++/toml.h>
+
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "cache/cache_counts.h"
+#include "cache/cache.h"
+#include "compare/confidence_interval.h"
 #include "compare/counts.h"
-#include "compare/rates.h"
 #include "compare/shadow_length.h"
-#include "render/method_mark.h"
-#include "study/record/answer.h"
-#include "study/record/bin_record.h"
-#include "study/record/budget_record.h"
-#include "study/record/case_record.h"
-#include "study/record/claim_spread.h"
-#include "study/record/confidence_record.h"
+#include "render/method.h"
 #include "study/record/gate.h"
 
 namespace gnomon::study {
+
+/// One method's counts over the samples of a view, all lights together, whose value on one axis
+/// lies in a bin. The bins of an axis hold every sample that has a value there, each in one of
+/// them. Bins without a sample are left out.
+struct BinRecord {
+  std::string method;  ///< a MethodRecord's label
+  std::string view;
+  std::string light;           ///< "all": the sum over the lights
+  std::string axis;            ///< the name of one of sampleAxes()
+  std::optional<double> low;   ///< included; none where the bin has no lower end
+  std::optional<double> high;  ///< excluded; none where the bin has no upper end
+  compare::Counts counts;
+};
+
+/// The light of a record that speaks of all lights of its study together.
+constexpr std::string_view allLights = "all";
+
+/// A method's error rate with its confidence interval: over all samples of a view, under one light,
+/// or the mean over all lights ("all"). Every view has the row "all"; a study with several lights
+/// has one for each of them as well.
+struct ConfidenceRecord {
+  std::string method;  ///< a MethodRecord's label
+  std::string view;
+  std::string light;                          ///< its name, or "all"
+  double rate = 0;                            ///< error rate, 0 to 1
+  std::optional<compare::Interval> interval;  ///< 95 %; none where the view has too few blocks
+  std::string reason;                         ///< why there is none; empty if there is one
+  std::size_t blocks = 0;                     ///< that hold a sample
+  int blockSide = 0;                          ///< samples
+};
+
+/// How the first of two methods compares with the second.
+enum class DifferenceVerdict {
+  better,
+  worse,
+  equal,               ///< both give the same answers, to the sample
+  notDistinguishable,  ///< by the interval of the difference, or within the truth's uncertainty
+  noInterval,          ///< too little is known to say any of these
+};
+
+/// Two methods of one view, paired block by block: under one light, or all lights together ("all").
+/// Every view has the row "all"; a study with several lights has one for each of them as well. The
+/// intervals are not corrected for the number of pairs: of twenty pairs that do not differ, one may
+/// seem to.
+struct DifferenceRecord {
+  std::string view;
+  std::string light;      ///< its name, or "all": the mean over the lights
+  std::string first;      ///< a MethodRecord's label
+  std::string second;     ///< likewise, later in the study
+  double difference = 0;  ///< error rate of the first less that of the second: below 0 it is better
+  std::optional<compare::Interval> interval;  ///< 95 %, of the difference
+  std::string reason;                         ///< why there is none; empty if there is one
+  double uncertainty = 0;                     ///< of the truth in this view, mean over these lights
+  /// By `distinguish`.
+  DifferenceVerdict verdict = DifferenceVerdict::noInterval;
+};
+
+/// A part of an error rate, as a share of all samples. Negative where correcting a cause made the
+/// error larger: two errors of a method may cancel.
+struct BudgetShare {
+  double value = 0;
+  std::optional<compare::Interval> interval;  ///< 95 %; none where the view is too small to tell
+  std::string reason;                         ///< why there is none; empty if there is one
+  /// How the share compares with none, by `distinguish`.
+  DifferenceVerdict verdict = DifferenceVerdict::noInterval;
+};
+
+/// By how much a method's error falls when one cause is corrected.
+struct BudgetCause {
+  std::string name;
+  std::string change;    ///< what was put in its place
+  BudgetShare forward;   ///< after the causes before it
+  BudgetShare backward;  ///< after the causes behind it
+};
+
+/// The error rates of a method with some causes corrected.
+struct BudgetState {
+  double errorRate = 0;
+  double falseShadow = 0;
+  double falseLight = 0;
+};
+
+/// A part of the error that remains when all causes are corrected.
+struct BudgetRest {
+  std::string name;  ///< as `budgetRestNames`
+  BudgetShare share;
+};
+
+/// One method's error and where it comes from: `total` = Σ shares of either order + Σ `rest`.
+struct BudgetRecord {
+  std::string method;  ///< a MethodRecord's label
+  std::string view;
+  std::string light;       ///< its name, or "all": the mean over the study's lights
+  double uncertainty = 0;  ///< of the truth in this view, mean over these lights
+  std::size_t blocks = 0;  ///< of the view that hold a sample
+  BudgetShare total;       ///< the method's error rate
+  std::vector<BudgetCause> causes;
+  std::vector<BudgetRest> rest;       ///< what remains
+  std::vector<BudgetState> forward;   ///< one more than there are causes
+  std::vector<BudgetState> backward;  ///< likewise
+};
+
+/// A file that a run was made of.
+struct InputRecord {
+  enum class Kind { study, mesh, image, shader, mask };
+  Kind kind = Kind::study;
+  /// Relative to the run's folder; of a shader that comes with the program as `shaders/…`.
+  std::string file;
+  std::string sha256;  ///< of its bytes, 64 lowercase hexadecimal digits
+};
+
+/// What is needed to run the very case again.
+struct CaseRecord {
+  std::string file;      ///< name of the study's copy in the run's folder
+  toml::table settings;  ///< what that copy holds
+  std::vector<InputRecord> inputs = {};
+};
 
 /// What one run of one study found: plain data, written by `report`. Every figure is one that the
 /// run computed.

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/rates.h"
+#include "compare/counts.h"
 #include "study/record/record.h"
 
 namespace gnomon::study {

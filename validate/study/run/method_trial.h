@@ -2,12 +2,17 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "cache/cache.h"
 #include "common/error.h"
 #include "render/gl_context.h"
+#include "study/record/record.h"
+#include "study/run/driver_faults.h"
+#include "study/run/stages/run_writer.h"
 #include "study/spec/study_file.h"
 
 namespace gnomon::study {
@@ -38,5 +43,50 @@ constexpr const char* trialArgument = "--try-method";
 /// Runs a trial in the process that was started for it.
 /// @param arguments  file, filter and wrap, as `tryMethods` gives them
 ExitStatus answerTrial(std::span<const std::string> arguments);
+
+/// The part of a study that the driver can measure.
+struct MeasurableStudy {
+  std::vector<RefusedMethod> refused;
+  /// The study without them and their ladders; none where nothing is refused.
+  std::optional<StudySpec> reduced;
+};
+
+/// Refuses the methods that need a pass that the driver draws wrong.
+/// @throws DriverError where no method is left, where another state of a ladder that is left needs
+///   such a pass, and as DriverFaults::requireViews
+MeasurableStudy measurable(const StudySpec& study, DriverFaults& faults);
+
+/// Adds the refused methods to a record: for each a notice and a problem, so that the run does not
+/// pass, and an undefined value, which fails, for each of its gates.
+/// @param study  as its file asks for it
+void addRefused(StudyRecord& record, const StudySpec& study,
+                const std::vector<RefusedMethod>& refused);
+
+/// Writes nothing: for a run of which only the figures are wanted.
+class NoFiles : public RunWriter {
+ public:
+  [[nodiscard]] std::string mask(const Mask&) const override { return {}; }
+  [[nodiscard]] std::string shares(const Visibility&) const override { return {}; }
+  [[nodiscard]] std::string regions(const truth::Truth&) const override { return {}; }
+  [[nodiscard]] std::string weights(int, int, const std::vector<double>&) const override {
+    return {};
+  }
+  [[nodiscard]] std::string picture(int, int, std::vector<std::uint8_t>) const override {
+    return {};
+  }
+  [[nodiscard]] std::string difference(const Mask&, const Mask&) const override { return {}; }
+  [[nodiscard]] std::string difference(const Visibility&, const Visibility&) const override {
+    return {};
+  }
+  [[nodiscard]] std::string embedded(int, int, std::vector<std::uint8_t>,
+                                     EmbeddedSize) const override {
+    return {};
+  }
+  [[nodiscard]] std::vector<std::uint8_t> displaced(int, int,
+                                                    const std::vector<float>&) const override {
+    return {};
+  }
+  void write(const std::string&, const std::string&) override {}
+};
 
 }  // namespace gnomon::study

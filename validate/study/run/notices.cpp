@@ -8,14 +8,13 @@
 #include <map>
 #include <utility>
 
-#include "compare/mask_checks.h"
 #include "compare/mask_metrics.h"
 #include "horizon/search_radius.h"
 #include "relief/patch_border.h"
 #include "study/run/scene/run_keys.h"
 #include "surface/closed_surface.h"
-#include "surface/face_texels.h"
-#include "truth/disc_directions.h"
+#include "surface/face_grids.h"
+#include "truth/visibility_tracer.h"
 
 namespace gnomon::study {
 namespace {

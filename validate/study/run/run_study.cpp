@@ -5,23 +5,26 @@
 #include <span>
 #include <utility>
 
+#include "horizon/horizon_bake.h"
 #include "render/shader_files.h"
 #include "study/judge/gates.h"
-#include "study/run/no_files.h"
+#include "study/run/driver_faults.h"
+#include "study/run/method_trial.h"
 #include "study/run/notices.h"
-#include "study/run/refused_methods.h"
 #include "study/run/scene/cached_fields.h"
 #include "study/run/scene/environment.h"
 #include "study/run/scene/method_case.h"
 #include "study/run/scene/method_outcome.h"
 #include "study/run/scene/run_scene.h"
 #include "study/run/scene/truth_stage.h"
+#include "study/run/stages/budget.h"
 #include "study/run/stages/cost_stage.h"
 #include "study/run/stages/ladder_stage.h"
 #include "study/run/stages/panel_pictures.h"
-#include "study/run/stages/spread_stage.h"
+#include "study/spec/method_replacement.h"
 
 namespace gnomon::study {
+
 namespace {
 
 /// What a run leaves beside its figures.
@@ -246,6 +249,38 @@ StudyRecord measureStudy(const StudySpec& study, const render::GlContext& gl, ca
                          SceneStore& held, const StageProgress& progress) {
   NoFiles writer;
   return runMeasurable(study, gl, writer, kept, held, progress, Beside::nothing);
+}
+
+StudyRecord traceStudy(RunScene& scene, const render::GlContext& gl,
+                       const std::function<void(const TracedSurface&)>& whileTraced,
+                       const std::function<void(const TracedSurface&)>& whileCoarse) {
+  DriverFaults(scene.shaders, scene.cache).requireViews(scene.study);
+  StudyRecord record = startRecord(scene.study, gl);
+  scene.standardBase();
+  {
+    SurfaceOnDemand surface = truthSurface(scene);
+    record.truth = sizesOf(scene, surface);
+    record.undefinedSamples = traceTruths(scene, surface);
+    if (whileTraced) whileTraced(surface.get());
+  }  // the fine mesh goes before the coarse one comes
+  traceUncertainty(scene, record.truth, whileCoarse);
+  record.notices = noticesOf(scene, record.truth, {});
+  record.timings = scene.clock.timings();
+  return record;
+}
+
+horizon::StoredHorizons bakeStudyTables(const StudySpec& study, cache::Cache& cache,
+                                        const Progress& progress) {
+  const relief::HeightField& field = study.relief.field;
+  const horizon::BakeSettings& settings = study.bake.settings;
+  if (!keepsHorizons(field, settings)) {
+    return withKeys("bake", [&] {
+      return horizon::bakeStoredHorizons(field, settings, study.bake.bits, progress);
+    });
+  }
+  const horizon::HorizonTables tables = keptHorizons(cache, field, study.bake, progress);
+  return {tables, tables.radiusTexels, horizon::storeTable(tables.horizon, study.bake.bits),
+          horizon::storeTable(tables.distance, study.bake.bits)};
 }
 
 }  // namespace gnomon::study

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "common/error.h"
-#include "study/spec/file_names.h"
+#include "study/spec/sections/study_paths.h"
 
 namespace gnomon::study {
 namespace fs = std::filesystem;

@@ -10,6 +10,7 @@
 #include "study/spec/sections/study_paths.h"
 
 namespace gnomon::study {
+
 namespace fs = std::filesystem;
 namespace {
 

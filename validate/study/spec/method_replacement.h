@@ -1,10 +1,14 @@
 #pragma once
 
+#include <fmt/core.h>
 #include <toml++/toml.h>
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "common/error.h"
 
 namespace gnomon::study {
 
@@ -23,5 +27,25 @@ std::string methodLabel(const toml::table& method);
 ///   is replaced twice
 void replaceMethods(toml::table& study, const std::filesystem::path& file,
                     const std::vector<std::string>& replacements);
+
+template <typename AnyError>
+[[noreturn]] void rethrowWithKey(const AnyError& error, std::string_view section) {
+  if (error.parameter().empty()) throw;
+  throw AnyError(error.reason(), fmt::format("{}.{}", section, error.parameter()));
+}
+
+/// Calls a library with values of a study's section. Where the library's error names a parameter,
+/// the error that leaves here names the section's key of the same name: `truth.step` for `step`.
+/// @return what `work` returns
+template <typename Work>
+auto withKeys(std::string_view section, const Work& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    rethrowWithKey(error, section);
+  } catch (const MemoryError& error) {
+    rethrowWithKey(error, section);
+  }
+}
 
 }  // namespace gnomon::study

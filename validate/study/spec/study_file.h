@@ -4,26 +4,98 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "horizon/search_radius.h"
+#include "relief/relief.h"
 #include "study/spec/sections/bake_section.h"
-#include "study/spec/sections/base_section.h"
-#include "study/spec/sections/claim_section.h"
-#include "study/spec/sections/ladder_spec.h"
 #include "study/spec/sections/light_section.h"
 #include "study/spec/sections/method_section.h"
 #include "study/spec/sections/relief_section.h"
 #include "study/spec/sections/surface_section.h"
 #include "study/spec/sections/threshold_section.h"
-#include "study/spec/sections/truth_section.h"
 #include "study/spec/sections/view_section.h"
-#include "study/spec/study_parts.h"
-#include "study/spec/study_text.h"
+#include "study/spec/toml/toml_reader.h"
+#include "surface/cage/cage.h"
+#include "surface/limit_surface.h"
 
 namespace gnomon::study {
+
+/// What the cases of a sweep share: parts that one study was read with, for the next one whose
+/// tables say the same. A part is looked up by the text of the tables that it follows from. Maps
+/// are not copied: studies share their texels.
+struct StudyParts {
+  /// The last surface: a sweep seldom comes back to one.
+  std::string surfaceKey = {};
+  std::shared_ptr<const surface::Cage> cage = {};
+  std::shared_ptr<const surface::LimitSurface> limit = {};
+  std::map<std::string, relief::Relief> reliefs = {};  ///< without their borders
+  std::map<std::string, horizon::SearchRadius> radii = {};
+  DeclaredMethods methods = {};
+};
+
+/// The text of a study. A command reads it once, since a pipe can be read only once, and so that
+/// everything in a run comes from the same text.
+struct StudyText {
+  std::filesystem::path file;  ///< as the command line names it
+  std::string text;
+};
+
+/// Reads a study's file, or the pipe that /dev/stdin or the like stands for.
+/// @throws InputError as readFileOrStream
+StudyText readStudyText(const std::filesystem::path& file);
+
+/// Where a study's relative paths begin: the folder of its file. One that comes from a stream has
+/// none, so that they begin at the working directory.
+std::filesystem::path studyFolder(const std::filesystem::path& file);
+
+/// One cause of a ladder, and what corrects it.
+struct CauseSpec {
+  std::string name = {};    ///< "azimuth count"
+  std::string change = {};  ///< what is put in its place, "256"; may be empty
+};
+
+/// `[[ladder.rung]]`
+inline StudyKeys keysOf(CauseSpec& cause) {
+  return {
+      studyKey("cause", &cause.name, "of the error", {}, required, Enters::nothing),
+      studyKey("change", &cause.change, "what is put in its place", {}, "none", Enters::nothing),
+      studyKey("set", OwnCode{"a table"},
+               "keys of `[[method]]` that correct it, all but `label`; no key in two rungs", {},
+               required)};
+}
+
+/// A method from its published form to the best that this study can make of it, corrected one cause
+/// at a time. Both orders begin at the method and end with all causes corrected: `forward` from the
+/// first to the last, `backward` from the last to the first. Each has one state more than there are
+/// causes.
+struct LadderSpec {
+  std::string method = {};  ///< label of the study's method
+  std::vector<CauseSpec> causes;
+  std::vector<MethodSpec> forward;
+  std::vector<MethodSpec> backward;
+  toml::table written = {};  ///< its table in the study's file
+};
+
+/// @param labels  of the study's methods
+inline StudyKeys keysOf(LadderSpec& ladder, const std::vector<std::string>& labels) {
+  StudyKeys keys = {
+      studyKey("method", &ladder.method, "label of the `[[method]]` that it begins at", {},
+               required, Enters::nothing, labels),
+      studyKey("rung", OwnCode{"a list of tables"}, "the causes, in their order", {}, required)};
+  MethodSpec method;
+  for (StudyKey& key : keysOf(method)) {
+    if (key.name == "label" || key.name == "masks") continue;
+    key.place = OwnCode{typeText(key)};
+    key.otherwise = "the method's";
+    keys.push_back(std::move(key));
+  }
+  return keys;
+}
 
 /// A study as its TOML file describes it, checked. Each section's structure and keys are in the
 /// section's own header.
@@ -109,5 +181,23 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options = {});
 StudySpec readStudy(const std::filesystem::path& file, const StudyOptions& options = {});
 /// @param parts  that another study was read with, and this one is: the same study in less time
 StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyParts& parts);
+
+/// The `[[ladder]]` tables of a study file.
+///
+/// `[[ladder]]` names in `method` the label of a `[[method]]`, and may change its keys (as
+/// `changedMethod`) without changing its masks: to name a file that is the same method with
+/// switches. Each `[[ladder.rung]]` names a `cause` and holds in `set` the keys that correct it.
+/// @param root   of the file
+/// @param study  with its views and methods
+/// @throws InputError with file, line and key: for a ladder without an atlas view, two of one
+///   method, a label that no method has, a rung that changes nothing, two of one cause, and where
+///   correcting all causes forward and backward is not the same
+std::vector<LadderSpec> readLadders(const TomlReader& root, const StudySpec& study,
+                                    const MethodDefaults& defaults);
+
+/// A study's file with the overrides and replacements of the options in it: what `readStudy` reads.
+/// @throws InputError and UsageError as parseToml and replaceMethods
+toml::table studyTable(const StudyText& study, const StudyOptions& options);
+toml::table studyTable(const std::filesystem::path& file, const StudyOptions& options);
 
 }  // namespace gnomon::study

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "common/error.h"
-#include "surface/readers/text_line.h"
+#include "surface/readers/polygon_mesh.h"
 
 namespace gnomon::surface {
 namespace {

@@ -10,8 +10,7 @@
 #include <utility>
 
 #include "common/error.h"
-#include "surface/readers/ply_body.h"
-#include "surface/readers/ply_header.h"
+#include "surface/readers/ply_parts.h"
 
 namespace gnomon::surface {
 namespace {

@@ -10,8 +10,8 @@
 #include "support/replaced.h"
 #include "support/temporary_folder.h"
 #include "viewer/panes/layout.h"
-#include "viewer/session/first_view.h"
-#include "viewer/session/shader_watch.h"
+#include "viewer/session/drawn_scene.h"
+#include "viewer/session/view_session.h"
 #include "viewer/session/view_state.h"
 
 namespace gnomon::app {

@@ -1,4 +1,4 @@
-#include "study/judge/suite/suite_agreement.h"
+#include "study/judge/suite/chosen_settings.h"
 
 #include <gtest/gtest.h>
 

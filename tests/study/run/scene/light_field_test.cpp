@@ -1,4 +1,4 @@
-#include "study/run/scene/light_field.h"
+#include "study/run/scene/view_map.h"
 
 #include <gtest/gtest.h>
 

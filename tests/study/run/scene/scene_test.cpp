@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "common/camera.h"
+#include "study/run/scene/environment.h"
 #include "study/run/scene/scene_store.h"
-#include "study/run/scene/stage_clock.h"
 #include "study/run/scene/view_map.h"
 #include "surface/base_mesh.h"
 #include "truth/truth_scenes.h"

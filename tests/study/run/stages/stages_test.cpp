@@ -9,11 +9,11 @@
 #include "common/error.h"
 #include "compare/random_errors.h"
 #include "study/judge/distinguish.h"
-#include "study/run/no_files.h"
+#include "study/run/method_trial.h"
 #include "study/run/stages/confidence.h"
 #include "study/run/stages/cost_stage.h"
-#include "study/run/stages/encoding_queue.h"
-#include "study/run/stages/worst_places.h"
+#include "study/run/stages/run_writer.h"
+#include "study/run/stages/truth_pictures.h"
 
 namespace gnomon::study {
 namespace {

@@ -6,14 +6,12 @@
 #include <map>
 #include <set>
 
-#include "common/degrees.h"
 #include "common/files/atomic_file.h"
+#include "common/vec.h"
 #include "study/spec/study_file.h"
 #include "study/spec/suite/distribution.h"
 #include "study/spec/suite/drawn_suite.h"
 #include "study/spec/suite/drawn_surface.h"
-#include "study/spec/suite/exact_degrees.h"
-#include "study/spec/suite/suite_text.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 #include "surface/cage/shapes.h"

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "common/counted_random.h"
 #include "common/error.h"
+#include "common/random_stream.h"
 #include "study/spec/sweep/sweep.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"

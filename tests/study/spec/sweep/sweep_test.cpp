@@ -1,6 +1,6 @@
 #include "study/spec/sweep/sweep.h"
 #include "study/judge/gates.h"
-#include "study/judge/sweep_result.h"
+#include "study/judge/ranking.h"
 
 #include <gmock/gmock.h>
 

@@ -2,11 +2,10 @@
 
 #include <array>
 
-#include "report/tables/formats/csv_format.h"
 #include "report/tables/formats/html_format.h"
 #include "report/tables/formats/latex_format.h"
-#include "report/tables/formats/markdown_format.h"
 #include "report/tables/formats/terminal_format.h"
+#include "report/tables/formats/text_formats.h"
 
 namespace gnomon::report {
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "common/text/one_line.h"
+#include "common/text/words.h"
 #include "report/text/latex_text.h"
 
 namespace gnomon::report {

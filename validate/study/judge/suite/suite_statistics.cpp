@@ -10,7 +10,6 @@
 
 #include "common/lists.h"
 #include "common/parallel.h"
-#include "common/quantile.h"
 #include "compare/scenes/comparisons.h"
 #include "compare/scenes/resampled_mean.h"
 #include "study/judge/distinguish.h"

@@ -7,10 +7,10 @@
 
 #include "common/error.h"
 #include "common/system/memory.h"
-#include "render/passes/passes.h"
+#include "render/passes/drawing.h"
 #include "study/run/scene/cached_fields.h"
 #include "study/run/scene/view_map.h"
-#include "study/spec/with_keys.h"
+#include "study/spec/method_replacement.h"
 
 namespace gnomon::study {
 namespace {

@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "cache/cache.h"
-#include "common/on_demand.h"
-#include "compare/sample_layout.h"
+#include "common/alongside.h"
+#include "compare/mask_metrics.h"
 #include "render/gpu_scene.h"
 #include "render/method.h"
-#include "render/view.h"
-#include "study/run/scene/mesh_choice.h"
 #include "study/run/scene/run_keys.h"
 #include "study/run/scene/scene_store.h"
 #include "study/spec/study_file.h"

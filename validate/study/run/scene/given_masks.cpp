@@ -7,7 +7,6 @@
 
 #include "common/error.h"
 #include "image/mask_picture.h"
-#include "image/share_picture.h"
 #include "study/spec/mask_files.h"
 
 namespace gnomon::study {

@@ -6,7 +6,6 @@
 
 #include "cache/content_key.h"
 #include "common/mask.h"
-#include "common/visibility.h"
 #include "study/run/scene/base_case.h"
 #include "study/spec/study_file.h"
 

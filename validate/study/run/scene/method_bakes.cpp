@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "render/bakes/bake_pass.h"
-#include "render/passes/loop_check.h"
+#include "render/passes/texel_counter.h"
 #include "study/run/scene/cached_fields.h"
 
 namespace gnomon::study {

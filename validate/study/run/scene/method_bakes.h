@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "render/bakes/gpu_bake.h"
+#include "render/bakes/method_bake.h"
 #include "render/method.h"
-#include "render/passes/method_tables.h"
+#include "render/passes/method_program.h"
 #include "study/run/scene/run_scene.h"
 
 namespace gnomon::study {

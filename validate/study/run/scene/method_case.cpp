@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "common/error.h"
-#include "compare/mask_checks.h"
-#include "render/passes/passes.h"
+#include "compare/mask_metrics.h"
+#include "render/passes/drawing.h"
 #include "study/run/scene/cached_fields.h"
 #include "study/run/scene/method_bakes.h"
 #include "truth/surface_horizons.h"

@@ -10,9 +10,8 @@
 #include "common/parallel.h"
 #include "compare/bins.h"
 #include "compare/boundaries.h"
-#include "study/run/scene/cast_lengths.h"
 #include "study/run/scene/truth_stage.h"
-#include "truth/seam_crossing.h"
+#include "truth/surface_paths.h"
 
 namespace gnomon::study {
 namespace {

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "common/mask.h"
-#include "compare/block_errors.h"
+#include "compare/confidence_interval.h"
 #include "compare/counts.h"
-#include "compare/rates.h"
 #include "compare/shadow_length.h"
 #include "study/run/scene/base_case.h"
 #include "study/run/scene/method_case.h"

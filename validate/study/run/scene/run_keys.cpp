@@ -11,6 +11,7 @@
 #include "truth/micro_scene.h"
 
 namespace gnomon::study {
+
 namespace fs = std::filesystem;
 namespace {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -9,10 +10,19 @@
 #include "cache/content_key.h"
 #include "render/gl_context.h"
 #include "render/method.h"
-#include "study/run/scene/mesh_choice.h"
+#include "study/spec/sections/bake_section.h"
 #include "study/spec/study_file.h"
 
 namespace gnomon::study {
+
+/// Which mesh: the base mesh or the displaced one, of so many pieces of every face's side.
+struct MeshChoice {
+  render::DrawnMesh kind = render::DrawnMesh::base;
+  BaseSpec base = {};
+
+  // NOLINTNEXTLINE(modernize-use-nullptr): it takes the comparison's own 0 for a pointer
+  friend auto operator<=>(const MeshChoice&, const MeshChoice&) = default;
+};
 
 /// Everything of this program that a result may depend on beside its inputs: the bytes of the
 /// program or library that computes it (so any change of its sources), and the versions of

@@ -7,7 +7,7 @@
 #include "common/parallel.h"
 #include "compare/bins.h"
 #include "surface/curvature.h"
-#include "surface/limit_face.h"
+#include "surface/limit_surface.h"
 
 namespace gnomon::study {
 namespace {

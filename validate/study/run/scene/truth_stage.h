@@ -3,9 +3,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
+#include "common/mask.h"
+#include "compare/counts.h"
+#include "compare/shadow_length.h"
 #include "study/record/record.h"
 #include "study/run/scene/run_scene.h"
 #include "truth/micro_mesh.h"
@@ -75,5 +79,21 @@ std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface);
 /// @throws InputError where the coarser mesh has more than half the triangles: too similar to tell
 void traceUncertainty(RunScene& scene, TruthRecord& truth,
                       const std::function<void(const TracedSurface&)>& whileTraced = {});
+
+/// Lengths of a mask's shadows over the truth's, of those alone that an occluder casts (regions
+/// `cast`, `distant` and `global`): an attached shadow has no end to measure.
+/// @throws InputError as `compareShadowLengths`
+compare::ShadowLengths castLengths(const Mask& mask, const truth::Truth& truth,
+                                   const compare::LightField& field);
+
+/// The same of several masks at once. @returns one a mask
+std::vector<compare::ShadowLengths> castLengths(std::span<const Mask* const> masks,
+                                                const truth::Truth& truth,
+                                                const compare::LightField& field);
+
+/// All metrics of two maps of visibility: `shareMetrics`, then `penumbraMetrics`.
+std::vector<compare::Metric> sharesMetrics(const Visibility& candidate, const Visibility& truth,
+                                           std::span<const double> weights,
+                                           const compare::LightField& field);
 
 }  // namespace gnomon::study

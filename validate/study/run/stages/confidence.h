@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/block_errors.h"
 #include "compare/confidence_interval.h"
-#include "study/record/confidence_record.h"
+#include "study/record/record.h"
 
 namespace gnomon::study {
 

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "common/error.h"
-#include "study/spec/file_names.h"
 #include "study/spec/sections/method_section.h"
+#include "study/spec/sections/study_paths.h"
 
 namespace gnomon::study {
 

@@ -1,11 +1,17 @@
 #pragma once
 
+#include <fmt/core.h>
+
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "common/mask.h"
-#include "common/visibility.h"
+#include "study/run/scene/environment.h"
+#include "study/run/scene/run_scene.h"
+#include "study/spec/sections/study_paths.h"
 #include "truth/shadow_tracer.h"
 
 namespace gnomon::study {
@@ -53,6 +59,46 @@ class RunWriter {
   /// Called before times are measured: what goes on beside the run, earlier reports being written,
   /// has ended when it returns.
   virtual void beQuiet() {}
+};
+
+/// Pictures that wait to be encoded, so that all of a panel are at the same time: one alone leaves
+/// threads idle.
+class EncodingQueue {
+ public:
+  using Work = std::function<void()>;
+
+  /// @param clock  of the stage "writing"; outlives the queue
+  explicit EncodingQueue(StageClock& clock) : clock_(clock) {}
+
+  /// @param encodings  called at any time until `finish` returns, each on any thread: what they
+  ///                   refer to stays till then
+  /// @param then       called after them on the thread that owns the queue, in the order of `add`
+  /// @param heldBytes  that they hold while they wait: those of too many do not
+  void add(std::vector<Work> encodings, Work then, std::size_t heldBytes = 0);
+  /// Does all that waits.
+  void finish();
+
+ private:
+  StageClock& clock_;
+  std::vector<Work> encodings_, after_;
+  std::size_t heldBytes_ = 0;
+};
+
+/// What all pictures of a run share: what they show, and where they go.
+struct PictureOutput {
+  PictureOutput(RunScene& of, RunWriter& to)
+      : scene(of), writer(to), queue(of.clock), names(caseNames(of.study)) {}
+
+  RunScene& scene;
+  RunWriter& writer;
+  EncodingQueue queue;
+  CaseNames names;
+
+  /// `FOLDER/VIEW_LIGHT_NAME.png`.
+  [[nodiscard]] std::string path(const char* folder, std::size_t view, std::size_t light,
+                                 const std::string& name) const {
+    return fmt::format("{}/{}_{}_{}.png", folder, names.views[view], names.lights[light], name);
+  }
 };
 
 }  // namespace gnomon::study

@@ -7,7 +7,6 @@
 #include "render/method.h"
 #include "render/passes/method_pass.h"
 #include "study/spec/sections/bake_section.h"
-#include "study/spec/sections/base_section.h"
 #include "study/spec/sections/study_key.h"
 #include "study/spec/toml/toml_reader.h"
 

@@ -5,9 +5,7 @@
 #include <limits>
 
 #include "relief/height_image.h"
-#include "relief/resampled_heights.h"
-#include "relief/solid_map.h"
-#include "relief/triplanar.h"
+#include "relief/solid.h"
 #include "study/spec/sections/study_paths.h"
 
 namespace gnomon::study {

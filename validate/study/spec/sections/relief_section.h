@@ -6,12 +6,10 @@
 #include <string>
 #include <variant>
 
-#include "common/overloaded.h"
+#include "common/lists.h"
 #include "relief/patterns.h"
 #include "relief/relief.h"
-#include "relief/scratches_pattern.h"
 #include "relief/solid.h"
-#include "relief/spectrum_pattern.h"
 #include "study/spec/sections/study_key.h"
 #include "surface/cage/cage.h"
 

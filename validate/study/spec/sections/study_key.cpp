@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/degrees.h"
-#include "common/overloaded.h"
+#include "common/lists.h"
+#include "common/vec.h"
 #include "study/spec/toml/toml_text.h"
 
 namespace gnomon::study {

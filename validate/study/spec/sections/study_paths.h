@@ -3,9 +3,12 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "study/spec/study_file.h"
 #include "study/spec/toml/toml_reader.h"
 
 namespace gnomon::study {
@@ -39,5 +42,21 @@ void movePath(toml::table& table, const char* key, const std::filesystem::path& 
 /// shader files of methods, ladders and their rungs, and the methods' folders of masks.
 void movePaths(toml::table& study, const std::filesystem::path& from,
                const std::filesystem::path& to);
+
+/// Whether a study's name may hold a character, since it names a folder: letters, digits, `-`, `_`,
+/// `.`.
+bool isNameCharacter(char c);
+
+/// Names as parts of file names: at most some sixty letters, digits, dots and dashes, distinct for
+/// distinct indices.
+/// @param taken  parts that none of them may become
+std::vector<std::string> fileNames(const std::vector<std::string>& names,
+                                   std::set<std::string> taken = {});
+
+/// Parts of the names of a run's pictures, in the study's order.
+struct CaseNames {
+  std::vector<std::string> views, lights, methods;
+};
+CaseNames caseNames(const StudySpec& study);
 
 }  // namespace gnomon::study

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "common/overloaded.h"
+#include "common/lists.h"
 #include "study/spec/sections/study_key.h"
 #include "surface/cage/cage.h"
 

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "common/camera.h"
-#include "common/overloaded.h"
-#include "compare/metric_range.h"
+#include "common/lists.h"
+#include "compare/metric.h"
 #include "relief/relief.h"
 #include "render/check/pass_check.h"
-#include "render/view.h"
+#include "render/gpu_scene.h"
 #include "study/spec/sections/study_key.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"

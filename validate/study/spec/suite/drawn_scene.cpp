@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 #include "common/text/sha256.h"
+#include "study/spec/suite/distribution.h"
 #include "study/spec/suite/drawn_surface.h"
-#include "study/spec/suite/exact_degrees.h"
 
 namespace gnomon::study {
 namespace {

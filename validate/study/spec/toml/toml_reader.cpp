@@ -9,10 +9,8 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "common/text/nearest_name.h"
-#include "common/text/one_line.h"
 #include "common/text/toml_nesting.h"
-#include "common/text/utf8.h"
+#include "common/text/words.h"
 
 namespace gnomon::study {
 namespace {
