@@ -164,18 +164,20 @@ def test_a_solid_is_refused_where_charts_overlap(cut, tmp_path):
     assert "overlap" in run.stderr
 
 
-def test_a_case_of_the_series_is_measured_and_stands_in_the_table(tmp_path):
+def test_cases_of_the_series_are_measured_and_stand_in_the_table(tmp_path):
     """As `reproduce --only charts` does, in the quick form."""
-    subprocess.run([sys.executable, SCRIPT, "series", tmp_path / "series", "--only", "spot-4"], check=True)
+    for case in ("spot-4", "spot-halves"):
+        subprocess.run([sys.executable, SCRIPT, "series", tmp_path / "series", "--only", case], check=True)
     studies = sorted((tmp_path / "series").glob("charts-*.toml"))
-    assert [study.name for study in studies] == ["charts-spot-4.toml"]
+    assert [study.name for study in studies] == ["charts-spot-4.toml", "charts-spot-halves.toml"]
     subprocess.run([PROGRAM, "run", *studies, "--quick", "--metrics-only", "--no-cache", "--out", tmp_path / "out"],
                    check=True)
     table = tmp_path / "table/charts.csv"
     run = subprocess.run([sys.executable, PROJECT / "results/charts.py", tmp_path / "out", table],
                          check=True, capture_output=True, text=True)
-    (row,) = csv.DictReader(table.open())
-    assert row.pop("case") == "spot-4"
+    rows = {row.pop("case"): row for row in csv.DictReader(table.open())}
+    assert float(rows["spot-halves"]["shared_area"]) > 0.5
+    row = rows["spot-4"]
     assert row.pop("charts") == "4"
     assert float(row.pop("shared_area")) < 1e-3
     errors = {name: float(value) for name, value in row.items()}
