@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 
 #include "common/error.h"
@@ -47,7 +48,9 @@ study::SuiteStatistics statistics() {
 
 std::vector<DrawnPlot> drawn(const study::SuiteStatistics& of) {
   std::vector<PlotSheet> sheets = sheetsOf(suitePlots(of, plottedMethods(of)));
-  sheets.push_back(suiteWinsPlot(of));
+  const bool isRanked = std::any_of(of.methods.begin(), of.methods.end(),
+                                    [](const auto& method) { return method.rank.has_value(); });
+  if (isRanked) sheets.push_back(suiteWinsPlot(of));
   return drawPlots(std::move(sheets), nullptr);
 }
 
