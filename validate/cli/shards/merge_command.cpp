@@ -76,6 +76,7 @@ fs::path placeOf(const Shard& shard, const fs::path& other) {
 /// All shards of a run in their order.
 std::vector<ShardFolder> readShards(const std::vector<fs::path>& folders) {
   std::vector<ShardFolder> given;
+  given.reserve(folders.size());
   for (const fs::path& folder : folders) given.push_back({folder, readShardFile(folder)});
   const int count = given.front().file.shard.count;
   std::vector<ShardFolder> shards(static_cast<std::size_t>(count));
@@ -114,6 +115,7 @@ study::StudyRecord readCase(const ShardFolder& shard, const study::StudySpec& st
   study::StudyRecord record = report::readSummary(folder / "summary.json");
   const auto hashesOf = [](const std::vector<study::InputRecord>& inputs) {
     std::vector<std::string> hashes;
+    hashes.reserve(inputs.size());
     for (const study::InputRecord& input : inputs) hashes.push_back(input.sha256);
     return hashes;
   };

@@ -153,6 +153,7 @@ PlotSheet sheetOf(const LinePlot& plot) {
 
 std::vector<PlotSheet> sheetsOf(const std::vector<LinePlot>& plots) {
   std::vector<PlotSheet> sheets;
+  sheets.reserve(plots.size());
   for (const LinePlot& plot : plots) sheets.push_back(sheetOf(plot));
   return sheets;
 }
