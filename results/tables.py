@@ -19,7 +19,8 @@ import re
 import sys
 
 RESULTS = pathlib.Path(__file__).resolve().parent
-PAGES = ("README.md", "results/README.md", "docs/methods.md", "docs/settings.md", "docs/which-method.md")
+PAGES = ("README.md", "results/README.md", "results/tables.md", "docs/methods.md", "docs/settings.md",
+         "docs/which-method.md")
 NONE = "–"
 
 
@@ -52,30 +53,31 @@ def studies_in(folder):
 
 
 @functools.cache
-def errors(study, answer="drawn", region="all", metric="error_rate", value=""):
-    """{method: its values in all views under all lights}, with the number of samples of each; of a
-    sweep those of the case whose first key has the value."""
+def errors(study, value=""):
+    """{method: its errors as drawn in all views under all lights}, from the study's reference; of a
+    sweep those of the cases whose folder begins with the value."""
+    folder, _, name = study.rpartition("/")
     found = collections.defaultdict(list)
-    table = RESULTS / study / "metrics.csv"
-    if table.exists():
-        for row in rows_of(f"{study}/metrics.csv"):
-            if (row["answer"], row["region"]) == (answer, region) and row[metric]:
-                found[row["method"]].append((100 * float(row[metric]), float(row["samples"])))
-        return found
-    for row in rows_of(f"{study}/cases.csv"):
-        first_key = list(row.values())[1]
-        if (row["answer"], row["region"], row["metric"], first_key) == (answer, region, metric, value):
-            found[row["method"]].append((100 * float(row["value"]), 1))
+    for row in json_of(f"{folder}/reference/{name}.json" if folder else f"reference/{name}.json")["values"]:
+        is_asked = (row["answer"], row["metric"]) == ("drawn", "error_rate")
+        if is_asked and row["study"].startswith(f"{name}/{value}" if value else name):
+            found[row["method"]].append(100 * row["value"])
     return found
 
 
-def mean_error(study, method, **which):
-    return mean(value for value, _ in errors(study, **which).get(method, []))
+@functools.cache
+def table_of(study):
+    """{method: row} of a study's table: means over its views and lights."""
+    return {row["method"]: row for row in rows_of(f"{study}/table.csv")}
+
+
+def mean_error(study, method):
+    return mean(errors(study).get(method, []))
 
 
 @functools.cache
 def costs(study):
-    return {cost["method"]: cost for cost in json_of(f"{study}/summary.json")["cost"]}
+    return {row["method"]: row for row in rows_of(f"{study}/costs.csv")}
 
 
 def bytes_text(count):
@@ -174,12 +176,10 @@ def papers_scenes(table):
     study, rows = "", []
     for row in table.rows:
         study, method = plain(row[0]) or study, plain(row[1])
-        metric = lambda name, answer="drawn": mean_error(study, method, metric=name, answer=answer)
-        cost = costs(study)[method]
-        rows.append(row[:2] + [figure(metric("error_rate"), ""), figure(metric("error_rate", "test"), ""),
-                               figure(metric("false_shadow"), ""), figure(metric("false_light"), ""),
-                               figure(metric("iou"), "0.0"), bytes_text(cost["table_bytes"]),
-                               bytes_text(cost["height_bytes"])])
+        found = table_of(study)[method]
+        metric = lambda name, old="": figure(100 * float(found[name]), old)
+        rows.append(row[:2] + [metric("error_rate"), metric("test_error_rate"), metric("false_shadow"),
+                               metric("false_light"), metric("iou", "0.0"), bytes_text(float(found["bytes"]))])
     return rows
 
 
@@ -199,12 +199,13 @@ def resolution(table):
 def cost(table):
     if table.columns[:5] != ["method", "triangles", "tables", "passes", "ms a frame"]:
         return None
-    flat = costs("figure8")["max-forsyth"]["frame_ms"]
+    frame = lambda method: float(costs("figure8")[method]["frame_ms"])
 
     def cells(row):
-        method = costs("figure8")[plain(row[0])]
-        return [row[0], f"{method['polygons']:,}", bytes_text(method["table_bytes"]),
-                str(method["passes"]), f"{method['frame_ms']:.1f}", f"{method['frame_ms'] / flat:.2f}"]
+        name = plain(row[0])
+        method = costs("figure8")[name]
+        return [row[0], f"{int(method['polygons']):,}", bytes_text(int(method["table_bytes"])), method["passes"],
+                f"{frame(name):.1f}", f"{frame(name) / frame('max-forsyth'):.2f}"]
 
     return [cells(row) for row in table.rows]
 
@@ -212,15 +213,11 @@ def cost(table):
 def figure8(table):
     if table.columns != ["method", "wrong pixels", "95 % interval", "tables and height map"]:
         return None
-    summary = json_of("figure8/summary.json")
-    intervals = {row["method"]: row for row in summary["confidence"] if row["light"] == "all"}
 
     def cells(row):
-        method = re.match(r"`([^`]+)`", row[0]).group(1)
-        share, low, high = (f"{100 * intervals[method][key]:.2f}" for key in ("error_rate", "low", "high"))
-        cost = costs("figure8")[method]
-        return [row[0], f"{share} %", f"{low} to {high}",
-                bytes_text(cost["table_bytes"] + cost["height_bytes"])]
+        method = table_of("figure8")[re.match(r"`([^`]+)`", row[0]).group(1)]
+        share, low, high = (f"{100 * float(method[key]):.2f}" for key in ("error_rate", "low", "high"))
+        return [row[0], f"{share} %", f"{low} to {high}", bytes_text(float(method["bytes"]))]
 
     return [cells(row) for row in table.rows]
 
@@ -237,13 +234,16 @@ def spot_regions(table):
     if table.columns[:2] != ["method", "lit"]:
         return None
 
+    def rows(method, region):
+        return [row for row in rows_of("spot-terrain/metrics.csv")
+                if (row["method"], row["answer"], row["region"]) == (method, "drawn", region)]
+
     def value(method, region):
-        found = errors("spot-terrain", region=region)
+        samples = lambda found: sum(float(row["samples"]) for row in found)
         if method == "share":
-            whole = sum(samples for _, samples in errors("spot-terrain")["unshadowed"])
-            return 100 * sum(samples for _, samples in found["unshadowed"]) / whole
-        return sum(error * samples for error, samples in found[method]) / \
-            sum(samples for _, samples in found[method])
+            return 100 * samples(rows("unshadowed", region)) / samples(rows("unshadowed", "all"))
+        found = [row for row in rows(method, region) if row["error_rate"]]
+        return 100 * sum(float(row["error_rate"]) * float(row["samples"]) for row in found) / samples(found)
 
     return [row[:1] + [figure(value(plain(row[0]), region), old)
                        for region, old in zip(table.columns[1:], row[1:])] for row in table.rows]
@@ -258,10 +258,10 @@ def bodies(table):
         name, _, size = plain(row[0]).partition(", ")
         study, value = f"bodies/{name}", ""
         if size:
-            periods = {list(case.values())[1] for case in rows_of(f"{study}/cases.csv")}
-            value = (max if size == "coarse" else min)(periods, key=float)
+            periods = {row["relief.period"] for row in rows_of(f"{study}/sweep.csv")}
+            value = f"period-{(max if size == 'coarse' else min)(periods, key=float)}"
         for method in table.columns[2:]:
-            found = [error for error, _ in errors(study, value=value)[method.split(",")[0]]]
+            found = errors(study, value)[method.split(",")[0]]
             yield f"{mean(found):.2f}, {max(found):.2f}"
 
     return [row[:2] + list(cells(row)) for row in table.rows]
@@ -304,8 +304,8 @@ def frontier(table):
         label = f"{method} {', '.join(numbers)}".strip()
         label = label if label in costs("bodies/frontier-spot") else f"{method} 1"
         cost = costs("bodies/frontier-spot")[label]
-        return [row[0], figure(mean_error("bodies/frontier-spot", label), ""), f"{cost['frame_ms']:.1f}",
-                f"{cost['still_ms']:.1f}"]
+        return [row[0], figure(mean_error("bodies/frontier-spot", label), ""),
+                *(f"{float(cost[name]):.1f}" for name in ("frame_ms", "still_ms"))]
 
     return [cells(row) for row in table.rows]
 
