@@ -10,6 +10,12 @@ install(TARGETS gnomon_api EXPORT Gnomon INCLUDES DESTINATION ${CMAKE_INSTALL_IN
 file(GLOB headers CONFIGURE_DEPENDS validate/api/*.h)
 install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gnomon)
 install(DIRECTORY shaders scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon)
+# The errors that `gnomon rank` joins a shader's own with.
+install(FILES results/suites.csv DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/results)
+foreach(suite suite-1 suite-2)
+  install(FILES results/${suite}/suite.csv
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/results/${suite})
+endforeach()
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gnomon)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gnomon RENAME copyright)
 install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gnomon)

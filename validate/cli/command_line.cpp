@@ -21,6 +21,7 @@
 #include "cli/commands/compare_command.h"
 #include "cli/commands/export_command.h"
 #include "cli/commands/init_command.h"
+#include "cli/commands/rank_command.h"
 #include "cli/commands/run_command.h"
 #include "cli/commands/suite_command.h"
 #include "cli/commands/view_command.h"
@@ -321,6 +322,9 @@ std::string suggestion(const CLI::App& app) {
   GatherRequest gatherRequest;
   gatherRequest.command = request.command;
   CLI::App* gather = addGatherCommand(app, gatherRequest);
+  RankRequest rankRequest;
+  rankRequest.command = request.command;
+  CLI::App* rank = addRankCommand(app, rankRequest);
   SuiteRequest suiteRequest;
   CLI::App* suite = addSuiteCommand(app, suiteRequest);
   CLI::App* listed = app.add_subcommand("list", "List methods, shapes, patterns and metrics");
@@ -343,7 +347,7 @@ std::string suggestion(const CLI::App& app) {
   }
   if (app.get_subcommands().empty()) {
     throw UsageError(
-        "a command expected: run, merge, gather, check, compare, bake, truth, export, view, "
+        "a command expected: run, rank, merge, gather, check, compare, bake, truth, export, view, "
         "cache, suite, list or init. "
         "See gnomon --help");
   }
@@ -355,6 +359,7 @@ std::string suggestion(const CLI::App& app) {
                             : init->parsed()     ? writeStarter(initRequest)
                             : gather->parsed()   ? gatherScenes(gatherRequest)
                             : suite->parsed()    ? drawSuiteScenes(suiteRequest)
+                            : rank->parsed()     ? rankEntries(rankRequest)
                             : cache->parsed()    ? showCache(cacheRequest)
                             : compare->parsed()  ? compareMasks(comparison)
                             : view->parsed()     ? viewer(viewRequest)

@@ -77,11 +77,11 @@ ExitStatus finishPlans(std::span<const PlanRecords> plans, const RunRequest& req
   for (const PlanRecords& part : plans) {
     failures.attempt([&] {
       study::StudyMeans means = meansOf(part, request, records);
-      printPlan(part, request, records);
+      if (!request.isQuiet) printPlan(part, request, records);
       if (isRanked(*part.plan)) ranked.push_back(std::move(means));
     });
   }
-  if (ranked.size() > 1 && !request.shard) {
+  if (ranked.size() > 1 && !request.shard && !request.isQuiet) {
     failures.attempt([&] {
       reportRanking(ranked, request, records.folders.ranking());
       printText(report::terminalReport(ranked, coloursWanted()) + "\n");

@@ -25,6 +25,7 @@ struct RunRequest {
   /// Figures alone: no masks, pictures, pages, plots and times. Then the same input gives the same
   /// folder, byte for byte.
   bool metricsOnly = false;
+  bool isQuiet = false;  ///< prints no table, and ranks no methods over the studies
   report::PaperOptions paper;
   std::string command;                 ///< the command line, for the report
   std::vector<std::string> arguments;  ///< the same, word by word

@@ -34,7 +34,7 @@ void writeTables(const study::SuiteStatistics& statistics,
 
 void writeSuiteFiles(const study::SuiteStatistics& statistics,
                      std::span<const study::StudyMeans> studies, std::string_view command,
-                     const PaperOptions& paper, RunFolder& folder) {
+                     const PaperOptions& paper, RunFolder& folder, const Html& opening) {
   writeTables(statistics, studies, folder);
   writePaperFiles(statistics, paper, folder);
   std::vector<PlotSheet> sheets = sheetsOf(suitePlots(statistics, plottedMethods(statistics)));
@@ -45,7 +45,7 @@ void writeSuiteFiles(const study::SuiteStatistics& statistics,
     folder.write(fmt::format("plots/{}.svg", plot.sheet.name), plot.svg);
     folder.write(fmt::format("plots/{}.pdf", plot.sheet.name), plot.pdf);
   }
-  folder.write("suite.html", suiteHtml(statistics, plots, command).text());
+  folder.write("suite.html", suiteHtml(statistics, plots, command, opening).text());
 }
 
 bool writeSuiteOf(std::span<const study::StudyMeans> studies, std::string_view command,
@@ -291,9 +291,11 @@ Html rankedSection(const study::SuiteStatistics& statistics) {
           html("Percent of {}. <b>Worst 5&#8239;%</b> is the mean over the worst "
                "twentieth of the scenes. <b>Ranks</b> are those of 95&#8239;% of the resamples of "
                "the scenes, <b>same rank</b> the share of them in which the rank is the one in "
-               "the table. Compared with the first, by Holm’s correction over all {} of methods: "
+               "the table. Compared with the first, by Holm’s correction over all {} of methods{}: "
                "{}.",
-               suiteFigure(statistics).of, plural(statistics.comparisons, "pair"), signMeaning),
+               suiteFigure(statistics).of, plural(statistics.comparisons, "pair"),
+               statistics.entries.empty() ? "" : ", those with an entry by themselves",
+               signMeaning),
           htmlTable(suiteRankedTable(statistics))));
 }
 
@@ -346,7 +348,7 @@ Html hardSection(const study::SuiteStatistics& statistics) {
 }  // namespace
 
 Html suiteHtml(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots,
-               std::string_view command) {
+               std::string_view command, const Html& opening) {
   const Html curves = htmlSection(
       "errors", "Share of the scenes with an error below",
       noted(html("The farther up and to the left a curve runs, the better the method. It reaches "
@@ -355,7 +357,7 @@ Html suiteHtml(const study::SuiteStatistics& statistics, const std::vector<Drawn
                  plotReading),
             htmlPlots(plots, "plots")));
   return htmlPage(statistics.suite, header(statistics),
-                  rankedSection(statistics) + curves + winsSection(plots) +
+                  opening + rankedSection(statistics) + curves + winsSection(plots) +
                       leaderSection(statistics) + binsSection(statistics, plots) +
                       hardSection(statistics) + htmlReproduction(command));
 }

@@ -20,10 +20,11 @@ namespace gnomon::report {
 /// suite.json is left to the caller.
 /// @param studies  that the statistics were made of
 /// @param command  reproduces the run
+/// @param opening  sections of the page before all others
 /// @throws InputError for a file that cannot be written; InternalError as the writers
 void writeSuiteFiles(const study::SuiteStatistics& statistics,
                      std::span<const study::StudyMeans> studies, std::string_view command,
-                     const PaperOptions& paper, RunFolder& folder);
+                     const PaperOptions& paper, RunFolder& folder, const Html& opening = {});
 
 /// What of a suite is written.
 enum class SuiteParts { all, figures };
@@ -60,6 +61,6 @@ std::string chosenSettingsText(const study::SuiteMethods& methods,
 /// @param command  reproduces the run
 /// @throws InternalError for a number that is not finite
 Html suiteHtml(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots,
-               std::string_view command);
+               std::string_view command, const Html& opening = {});
 
 }  // namespace gnomon::report

@@ -142,15 +142,15 @@ bool answerAlike(const Scenes& scenes, const Comparison& comparison) {
          });
 }
 
-/// Holm's correction over all pairs that have an interval, and the verdicts.
+/// Holm's correction over those of some comparisons that have an interval.
 /// @returns how many these are
-std::size_t judge(const Scenes& scenes, std::vector<Comparison>& comparisons) {
+std::size_t correct(const std::vector<Comparison*>& comparisons) {
   std::vector<Comparison*> family;
   std::vector<double> probabilities;
-  for (Comparison& comparison : comparisons) {
-    if (!comparison.pair.interval) continue;
-    family.push_back(&comparison);
-    probabilities.push_back(comparison.pair.probability);
+  for (Comparison* comparison : comparisons) {
+    if (!comparison->pair.interval) continue;
+    family.push_back(comparison);
+    probabilities.push_back(comparison->pair.probability);
   }
   const std::vector<compare::HolmStep> steps = compare::holmSteps(probabilities);
   for (std::size_t i = 0; i < family.size(); ++i) {
@@ -158,6 +158,23 @@ std::size_t judge(const Scenes& scenes, std::vector<Comparison>& comparisons) {
     pair.adjusted = steps[i].adjusted;
     pair.corrected = family[i]->mean->interval(steps[i].allowed);
   }
+  return family.size();
+}
+
+/// Corrects the comparisons with each entry by themselves, the others together, and gives all
+/// their verdicts.
+/// @returns how many the others are
+std::size_t judge(const Scenes& scenes, std::vector<Comparison>& comparisons,
+                  const std::vector<std::string>& entries) {
+  std::vector<std::vector<Comparison*>> families(entries.size() + 1);
+  for (Comparison& comparison : comparisons) {
+    const auto entry = std::find_if(entries.begin(), entries.end(), [&](const std::string& label) {
+      return comparison.pair.first == label || comparison.pair.second == label;
+    });
+    families[static_cast<std::size_t>(entry - entries.begin())].push_back(&comparison);
+  }
+  std::size_t counted = 0;
+  for (const auto& family : families) counted = correct(family);
   for (Comparison& comparison : comparisons) {
     SuitePair& pair = comparison.pair;
     const auto interval =
@@ -165,7 +182,7 @@ std::size_t judge(const Scenes& scenes, std::vector<Comparison>& comparisons) {
     pair.verdict =
         distinguish({pair.difference, interval, pair.uncertainty, answerAlike(scenes, comparison)});
   }
-  return family.size();
+  return counted;
 }
 
 std::vector<Comparison> comparisonsOf(const compare::SceneTable& table,
@@ -349,7 +366,8 @@ std::string suiteOf(std::span<const StudyMeans> studies) {
   return scenes >= compare::leastScenes ? suite : "";
 }
 
-SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyMeans> studies) {
+SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyMeans> studies,
+                                const std::vector<std::string>& entries) {
   const Scenes scenes = scenesOf(suite, studies);
   SuiteStatistics statistics{suite, tableOf(scenes), {}, {}, {}, {}};
   statistics.methods = methodsOf(statistics.table, scenes);
@@ -358,7 +376,8 @@ SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyM
   });
   std::vector<Comparison> comparisons = comparisonsOf(statistics.table, statistics.methods);
   compareAll(statistics.table, comparisons);
-  statistics.comparisons = judge(scenes, comparisons);
+  statistics.entries = entries;
+  statistics.comparisons = judge(scenes, comparisons, entries);
   for (Comparison& comparison : comparisons) statistics.pairs.push_back(std::move(comparison.pair));
   statistics.bins = binsOf(scenes, statistics.methods);
   statistics.scenes = hardestFirst(statistics.table, scenes, statistics.methods);

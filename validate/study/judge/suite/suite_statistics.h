@@ -77,7 +77,8 @@ struct SuiteStatistics {
   std::vector<SuiteBin> bins;        ///< by method, axis and lower end
   std::vector<SuiteScene> scenes;    ///< the largest median first
   std::size_t comparisons = 0;  ///< pairs that Holm's correction counts: those with an interval
-  bool isSoft = false;          ///< a scene has a light with a disc: errors are `mae`
+  std::vector<std::string> entries = {};  ///< whose comparisons it counts by themselves
+  bool isSoft = false;                    ///< a scene has a light with a disc: errors are `mae`
 };
 
 /// The one suite that studies of a run were drawn for; empty where there are fewer than
@@ -86,7 +87,10 @@ std::string suiteOf(std::span<const StudyMeans> studies);
 
 /// @param suite    suiteOf these studies; those that were not drawn for it are left out
 /// @param studies  in any order, with methods in any order
-SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyMeans> studies);
+/// @param entries  labels of methods that somebody asks about: Holm's correction counts the
+///   comparisons with each of them by themselves, since they are another question than who is best
+SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyMeans> studies,
+                                const std::vector<std::string>& entries = {});
 
 /// The page of a scene; empty where there is no such scene.
 std::string reportOf(const SuiteStatistics& statistics, std::string_view scene);
