@@ -1,6 +1,6 @@
-# `cmake --install`: the program with its shaders, scenes, manual and licence, and the library
-# libgnomon with the headers of validate/api and a find_package(Gnomon) configuration, which gives
-# gnomon::gnomon.
+# `cmake --install`: the program with its shaders, scenes, schemas, manual and licence, and the
+# library libgnomon with the headers of validate/api and a find_package(Gnomon) configuration, which
+# gives gnomon::gnomon.
 
 include(CMakePackageConfigHelpers)
 
@@ -9,7 +9,7 @@ install(TARGETS gnomon)
 install(TARGETS gnomon_api EXPORT Gnomon INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 file(GLOB headers CONFIGURE_DEPENDS validate/api/*.h)
 install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gnomon)
-install(DIRECTORY shaders scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon)
+install(DIRECTORY shaders scenes schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon)
 # The errors that `gnomon rank` joins a shader's own with.
 install(FILES results/suites.csv DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon/results)
 foreach(suite suite-1 suite-2)

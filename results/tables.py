@@ -19,8 +19,7 @@ import re
 import sys
 
 RESULTS = pathlib.Path(__file__).resolve().parent
-PAGES = ("README.md", "results/README.md", "results/tables.md", "docs/methods.md", "docs/settings.md",
-         "docs/which-method.md")
+PAGES = ("README.md", "results/README.md", "results/tables.md", "docs/settings.md", "docs/which-method.md")
 NONE = "–"
 
 

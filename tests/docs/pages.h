@@ -46,10 +46,11 @@ inline DocPage readPage(const std::filesystem::path& file) {
   return page;
 }
 
-/// README.md, the manual and the pages beside results and scenes.
+/// README.md, CONTRIBUTING.md, the manual and the pages beside results and scenes.
 inline std::vector<DocPage> allPages() {
   namespace fs = std::filesystem;
-  std::vector<fs::path> files = {projectFolder() / "README.md"};
+  std::vector<fs::path> files = {projectFolder() / "README.md",
+                                 projectFolder() / "CONTRIBUTING.md"};
   for (const char* folder : {"docs", "results", "scenes"}) {
     for (const auto& entry : fs::recursive_directory_iterator(projectFolder() / folder)) {
       if (entry.path().extension() == ".md") files.push_back(entry.path());

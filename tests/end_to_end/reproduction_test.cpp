@@ -210,8 +210,8 @@ class Processors : public EndToEnd {
   }
 };
 
-/// The one kind of result that processors share (cache.md) is the same with either. The vectors of
-/// the search itself are those of tests/horizon/horizon_targets_test.
+/// The one kind of result that processors share (docs/many-machines.md) is the same with either.
+/// The vectors of the search itself are those of tests/horizon/horizon_targets_test.
 TEST_F(Processors, BakeTheSameTables) {
   if (sinesWith("NOTHING=1") == sinesWith(plainProcessor)) {
     GTEST_SKIP() << "this machine's C library has one form of its functions";

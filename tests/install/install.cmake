@@ -35,7 +35,8 @@ file(GLOB manual RELATIVE ${SOURCE}/docs ${SOURCE}/docs/*.md)
 list(TRANSFORM manual PREPEND share/doc/gnomon/)
 foreach(file IN ITEMS ${manual} share/doc/gnomon/copyright share/doc/gnomon/CHANGELOG.md
         share/man/man1/gnomon.1
-        share/gnomon/scenes/figure8.toml share/gnomon/scenes/starter/.github/workflows/shadows.yml)
+        share/gnomon/scenes/figure8.toml share/gnomon/schemas/gnomon.schema.json
+        share/gnomon/scenes/starter/.github/workflows/shadows.yml)
   if(NOT EXISTS ${PREFIX}/${file})
     message(FATAL_ERROR "${file} is not installed")
   endif()

@@ -13,7 +13,8 @@ namespace gnomon::report {
 /// The value of "schema". A reader may rely on the keys below as long as it does not change.
 constexpr std::string_view rankingSchema = "gnomon-ranking/2";
 
-/// The ranking of methods over all studies of a run, as JSON: docs/summary.md documents every key.
+/// The ranking of methods over all studies of a run, as JSON: schemas/gnomon.schema.json documents
+/// every key.
 /// @throws InternalError naming the key for a number that is not finite
 std::string rankingJson(std::span<const study::StudyMeans> studies, std::string_view command);
 
@@ -24,7 +25,7 @@ std::string suiteManifest(const study::DrawnSuite& suite);
 /// The value of "schema". A reader may rely on the keys below as long as it does not change.
 constexpr std::string_view sweepSchema = "gnomon-sweep/3";
 
-/// A sweep as JSON: docs/summary.md documents every key.
+/// A sweep as JSON: schemas/gnomon.schema.json documents every key.
 /// @throws InternalError naming the key for a number that is not finite
 std::string sweepJson(const study::SweepRecord& sweep);
 

@@ -13,7 +13,7 @@ namespace gnomon::report {
 constexpr std::string_view summarySchema = "gnomon-summary/2";
 
 /// A whole run as JSON, keys in a fixed order, text as UTF-8 (bytes that are not become U+FFFD).
-/// docs/summary.md documents every key.
+/// schemas/gnomon.schema.json documents every key.
 /// @throws InternalError naming the key for a number that is not finite
 std::string summaryJson(const study::StudyRecord& record);
 

@@ -38,7 +38,8 @@ bool writeSuiteOf(std::span<const study::StudyMeans> studies, std::string_view c
 /// The value of "schema". A reader may rely on the keys below as long as it does not change.
 constexpr std::string_view suiteSchema = "gnomon-suite/1";
 
-/// The statistics over the scenes of a suite as JSON: docs/summary.md documents every key.
+/// The statistics over the scenes of a suite as JSON: schemas/gnomon.schema.json documents every
+/// key.
 /// @throws InternalError naming the key for a number that is not finite
 std::string suiteJson(const study::SuiteStatistics& statistics, std::string_view command);
 

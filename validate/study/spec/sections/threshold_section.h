@@ -53,7 +53,7 @@ inline StudyKeys keysOf(Gate& gate, const StudyNames& names) {
       studyKey("light", &gate.light, "name of the only one", {}, "all", nothing, names.lights),
       studyKey("view", &gate.view, "name of the only one", {}, "all", nothing, names.views),
       studyKey("min", OwnCode{"a number, or of a share a percentage as `\"5 %\"`"},
-               "the least value; what nothing could miss is refused: [gates.md](gates.md)", {},
+               "the least value; a limit that cannot fail is refused: [limits](ci.md#limits)", {},
                "none, `max` is there"),
       studyKey("max", OwnCode{"as `min`"}, "the largest value", {}, "none, `min` is there"),
       studyKey("quick", &std::get<Threshold>(gate.origin).quick,
