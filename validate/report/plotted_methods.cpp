@@ -5,7 +5,6 @@
 
 #include "common/lists.h"
 #include "report/tables/cost_table.h"
-#include "study/judge/ranking.h"
 
 namespace gnomon::report {
 namespace {
@@ -69,6 +68,13 @@ std::optional<std::string> labelOf(std::span<const study::MethodMeans> methods,
     if (!first) first = method.label;
   }
   return first;
+}
+
+std::optional<std::string> bestMethod(const std::vector<study::RankedMethod>& ranked) {
+  for (const study::RankedMethod& method : ranked) {
+    if (method.rank && method.means.name != controlMethod) return method.label;
+  }
+  return std::nullopt;
 }
 
 std::optional<std::string> claimedMethod(std::span<const study::MethodMeans> methods,

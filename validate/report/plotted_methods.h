@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "study/judge/ranking.h"
 #include "study/judge/study_means.h"
 #include "study/judge/suite/suite_statistics.h"
 
@@ -18,6 +19,9 @@ constexpr std::string_view controlMethod = "unshadowed";
 /// The label of the method of that name; of several the one without a label of its own.
 std::optional<std::string> labelOf(std::span<const study::MethodMeans> methods,
                                    std::string_view name);
+
+/// The label of the best method: the first of a ranking that has a rank and is not the control.
+std::optional<std::string> bestMethod(const std::vector<study::RankedMethod>& ranked);
 
 /// The first method that a claim is about and that is neither `costReference` nor the control.
 std::optional<std::string> claimedMethod(std::span<const study::MethodMeans> methods,

@@ -9,20 +9,17 @@
 #include <system_error>
 
 #include "common/lists.h"
-#include "report/page/html_figures.h"
-#include "report/page/html_page.h"
+#include "report/page/picture_html.h"
 #include "report/tables/case_tables.h"
 #include "report/tables/formats/html_format.h"
 #include "report/text/glossary.h"
 #include "report/text/number_text.h"
-#include "report/text/ranking_text.h"
 #include "study/judge/study_means.h"
 #include "study/spec/sections/study_paths.h"
 
 namespace gnomon::report {
 namespace {
 
-constexpr std::size_t mostOpenCases = 3;
 constexpr std::size_t mostFoldedCases = 8;
 constexpr std::size_t mostPictureBytes = 7'500'000;  // a third more as text of a page
 
@@ -86,74 +83,60 @@ Places placesOf(const study::StudyRecord& record, const std::filesystem::path& f
   return places;
 }
 
-Html caseTables(const study::StudyRecord& record, const study::Case& which) {
-  Html content;
-  const Table metrics = caseTable(record, std::array{which});
-  if (!metrics.rows.empty()) {
-    content += html("<h3>All samples</h3>\n{}{}",
-                    htmlNote(fmt::format("In percent of {}. Compared with the best: {}.",
-                                         errorWhole(study::isSoft(record)), signMeaning)),
-                    htmlTable(metrics));
-  }
-  const Table regions = regionTable(record, which);
-  if (!regions.rows.empty()) {
-    content += html("<h3>Error by region</h3>\n{}{}",
-                    html("<p class=\"note\">Percent of {} of each {}; the stronger the "
-                         "tint, the larger the error.</p>\n",
-                         errorWhole(study::isSoft(record)), htmlTerm("region")),
-                    htmlTable(regions));
-  }
-  return content;
-}
+/// What a page has of a case.
+struct CaseParts {
+  Html pictures, metrics, regions;
+};
 
-/// Its pictures and tables.
-Html caseContent(const study::StudyRecord& record, const study::Case& which,
-                 const std::filesystem::path& folder) {
-  Html content;
+CaseParts partsOf(const study::StudyRecord& record, const study::Case& which,
+                  const ShownMethods& shown, const std::filesystem::path& folder) {
+  CaseParts parts;
   for (const study::PanelRecord& panel : record.panels) {
     if (study::Case{panel.view, panel.light} == which)
-      content += panelFigures(record, panel, folder);
+      parts.pictures += panelFigures(record, panel, shown, folder);
   }
-  return content + caseTables(record, which);
+  const char* whole = errorWhole(study::isSoft(record));
+  if (const Table metrics = caseTable(record, std::array{which}); !metrics.rows.empty()) {
+    parts.metrics = html("<p class=\"note\">In percent of {}.</p>\n{}", whole, htmlTable(metrics));
+  }
+  if (const Table regions = regionTable(record, which); !regions.rows.empty()) {
+    parts.regions = html(
+        "<p class=\"note\">Percent of {} of each {}; the stronger the tint, the larger the "
+        "error.</p>\n{}",
+        whole, htmlTerm("region"), htmlTable(regions));
+  }
+  return parts;
 }
 
-/// Links to the cases: with several a reader needs them.
-Html navigation(std::span<const Place> places) {
-  if (places.size() < 2) return {};
-  Html links;
-  for (const Place& place : places) {
-    links += html("<a href=\"{}\">{}</a>\n", place.link, nameOf(place));
-  }
-  return html("<nav aria-label=\"Cases\">\n{}</nav>\n", links);
-}
+constexpr std::string_view metricsTitle = "Every metric, of all samples";
+constexpr std::string_view regionsTitle = "Error by region";
 
-Html openCases(const study::StudyRecord& record, std::span<const Place> places,
-               const std::filesystem::path& folder) {
-  Html content = navigation(places);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const study::Case& which = places[i].which;
-    content += htmlSection(fmt::format("case-{}", i + 1),
-                           html("{} <span class=\"light\">{}</span>", which.view, which.light),
-                           caseContent(record, which, folder));
-  }
-  return content;
+/// The pictures, and below them the tables, folded.
+Html caseContent(const study::StudyRecord& record, const study::Case& which,
+                 const ShownMethods& shown, const std::filesystem::path& folder) {
+  const CaseParts parts = partsOf(record, which, shown, folder);
+  return parts.pictures + htmlFold(regionsTitle, parts.regions) +
+         htmlFold(metricsTitle, parts.metrics);
 }
 
 /// A link to what is inside opens it.
-Html foldedCases(const study::StudyRecord& record, std::span<const Place> places,
-                 const std::filesystem::path& folder) {
+PageSection foldedCases(const study::StudyRecord& record, std::span<const Place> places,
+                        const std::filesystem::path& folder) {
+  const ShownMethods shown = shownMethods(record);
   Html content;
   for (std::size_t i = 0; i < places.size(); ++i) {
     content += html(
-        "<details class=\"case\"><summary>{}</summary>\n<div id=\"case-{}\">\n{}</div>\n"
+        "<details class=\"case\"{}><summary><h3>{}</h3></summary>\n<div id=\"case-{}\">\n{}</div>\n"
         "</details>\n",
-        nameOf(places[i]), i + 1, caseContent(record, places[i].which, folder));
+        i == 0 ? html(" open") : Html(), nameOf(places[i]), i + 1,
+        caseContent(record, places[i].which, shown, folder));
   }
-  return htmlSection("cases", "Pictures and tables, light by light", content);
+  return {"cases", "What each method draws", content};
 }
 
-Html errorsByLight(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked,
-                   std::span<const Place> places) {
+PageSection errorsByLight(const study::StudyRecord& record,
+                          const std::vector<study::RankedMethod>& ranked,
+                          std::span<const Place> places) {
   std::vector<std::string> labels;
   labels.reserve(ranked.size());
   for (const study::RankedMethod& method : ranked) labels.push_back(method.label);
@@ -163,12 +146,11 @@ Html errorsByLight(const study::StudyRecord& record, const std::vector<study::Ra
     cases.push_back(place.which);
     links.push_back(place.link);
   }
-  return htmlSection(
-      "heat", "Error by light",
-      htmlNote(fmt::format("Percent of {}; the stronger the tint, the larger the error. Each light "
-                           "leads to its pictures and tables.",
-                           errorWhole(study::isSoft(record)))) +
-          htmlTable(caseErrorsTable(record, labels, cases, links)));
+  return {"heat", "Under which light each method is wrong",
+          htmlNote(fmt::format("Percent of {}; the stronger the tint, the larger the error. Each "
+                               "light leads to its pictures and tables.",
+                               errorWhole(study::isSoft(record)))) +
+              htmlTable(caseErrorsTable(record, labels, cases, links))};
 }
 
 Html stepLink(const Place* place, std::string_view text) {
@@ -180,19 +162,21 @@ Html stepLink(const Place* place, std::string_view text) {
 }
 
 Html casePage(const study::StudyRecord& record, std::span<const Place> places, std::size_t index,
-              const std::filesystem::path& folder) {
+              const ShownMethods& shown, const std::filesystem::path& folder) {
   const Place& place = places[index];
+  CaseParts parts = partsOf(record, place.which, shown, folder);
   const Html steps = html(
       "<nav aria-label=\"Cases\">\n<a href=\"../report.html\">The whole report</a>\n{}{}</nav>\n",
       stepLink(index > 0 ? &places[index - 1] : nullptr, "Before"),
       stepLink(index + 1 < places.size() ? &places[index + 1] : nullptr, "Next"));
-  const bool hasPictures = !record.panels.empty();
+  const PageSection viewer = record.panels.empty() ? PageSection{} : viewerSection();
   return htmlPage(
       nameOf(place) + " – " + record.heading(),
-      html("<h1>{}</h1>\n<p class=\"lead\">{}</p>\n", record.heading(), nameOf(place)),
-      steps + (hasPictures ? viewerMarkup() : Html()) +
-          htmlSection("case", "Pictures and tables", caseContent(record, place.which, folder)),
-      hasPictures ? viewerScript() : Html());
+      html("<h1>{}</h1>\n<p class=\"lead\">{}</p>\n{}", record.heading(), nameOf(place), steps),
+      {viewer,
+       {"case", "What each method draws", std::move(parts.pictures)},
+       {"regions", std::string(regionsTitle), std::move(parts.regions)},
+       {"metrics", std::string(metricsTitle), std::move(parts.metrics)}});
 }
 
 }  // namespace
@@ -201,13 +185,20 @@ bool holdsPictures(const study::StudyRecord& record, const std::filesystem::path
   return !record.panels.empty() && !placesOf(record, folder).areOwnPages;
 }
 
-Html caseSections(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked,
-                  const std::filesystem::path& folder) {
+std::vector<PageSection> caseSections(const study::StudyRecord& record,
+                                      const std::vector<study::RankedMethod>& ranked,
+                                      const std::filesystem::path& folder) {
   const Places places = placesOf(record, folder);
-  const bool areOpen = places.all.size() <= mostOpenCases && !places.areOwnPages;
-  if (areOpen) return openCases(record, places.all, folder);
-  const Html errors = errorsByLight(record, ranked, places.all);
-  return places.areOwnPages ? errors : errors + foldedCases(record, places.all, folder);
+  if (places.all.size() == 1 && !places.areOwnPages) {
+    const Place& only = places.all.front();
+    return {{"case-1", "What each method draws",
+             caseContent(record, only.which, shownMethods(record), folder),
+             escapeHtml(nameOf(only))}};
+  }
+  if (places.all.empty()) return {};
+  std::vector<PageSection> sections = {errorsByLight(record, ranked, places.all)};
+  if (!places.areOwnPages) sections.push_back(foldedCases(record, places.all, folder));
+  return sections;
 }
 
 std::vector<CasePage> casePages(const study::StudyRecord& record,
@@ -216,8 +207,9 @@ std::vector<CasePage> casePages(const study::StudyRecord& record,
   std::vector<CasePage> pages;
   if (!places.areOwnPages) return pages;
   pages.reserve(places.all.size());
+  const ShownMethods shown = shownMethods(record);
   for (std::size_t i = 0; i < places.all.size(); ++i) {
-    pages.push_back({places.all[i].link, casePage(record, places.all, i, folder)});
+    pages.push_back({places.all[i].link, casePage(record, places.all, i, shown, folder)});
   }
   return pages;
 }

@@ -2,9 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <array>
+#include <algorithm>
+#include <utility>
 
-#include "report/page/html_figures.h"
+#include "report/page/picture_html.h"
 #include "report/tables/formats/html_format.h"
 #include "report/text/glossary.h"
 #include "report/text/number_text.h"
@@ -22,46 +23,77 @@ Html verdictTag(study::Verdict verdict) {
 
 }  // namespace
 
-Html htmlPage(std::string_view title, const Html& header, const Html& main, const Html& script) {
-  const Html runs = script.empty() ? Html() : html("; script-src {}", viewerScriptHash());
+namespace {
+
+Html sectionHtml(const PageSection& section) {
+  if (section.isFolded) {
+    return html("<section id=\"{}\">\n{}</section>\n", section.id,
+                htmlFold(html("<h2>{}</h2>", section.title), section.content));
+  }
+  return html("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", section.id, section.title,
+              section.content);
+}
+
+Html contentsHtml(const std::vector<PageSection>& sections) {
+  Html links;
+  for (const PageSection& section : sections) {
+    if (section.content.empty()) continue;
+    links += html("<li><a href=\"#{}\">{}</a>{}</li>\n", section.id, section.title,
+                  section.hint.empty() ? Html() : html(" <small>{}</small>", section.hint));
+  }
+  return html("<nav class=\"contents\" aria-label=\"Contents\">\n<ul>\n{}</ul>\n</nav>\n", links);
+}
+
+}  // namespace
+
+Html htmlPage(std::string_view title, const Html& header,
+              const std::vector<PageSection>& sections) {
+  std::vector<PageSection> all = sections;
+  Html main;
+  for (const PageSection& section : all) {
+    if (!section.content.empty()) main += sectionHtml(section);
+  }
+  const PageSection terms{"terms", "What the words mean", htmlGlossary(header + main)};
+  if (!terms.content.empty()) main += sectionHtml(terms);
+  all.push_back(terms);
   return html(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-      "style-src 'unsafe-inline'{}\">\n"
+      "style-src 'unsafe-inline'; script-src {}\">\n"
       "<title>{} – Gnomon</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<header>\n"
-      "<p class=\"kicker\">Gnomon · how right are the shadows?</p>\n{}</header>\n<main>\n{}{}"
-      "</main>\n{}</body>\n</html>\n",
-      runs, title, differenceProperties(), pageStyle(), header, main, htmlGlossary(header + main),
-      script.empty() ? Html() : html("<script>{}</script>\n", script));
+      "<p class=\"kicker\">Gnomon · how right are the shadows?</p>\n{}</header>\n{}<main>\n{}"
+      "</main>\n<script>{}</script>\n</body>\n</html>\n",
+      pageScriptHash(), title, differenceProperties(), pageStyle(), header, contentsHtml(all), main,
+      pageScript());
 }
 
-Html htmlSection(std::string_view id, const Html& title, const Html& content) {
+Html htmlFold(const Html& summary, const Html& content, bool isOpen) {
   if (content.empty()) return {};
-  return html("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, title, content);
+  return html("<details{}><summary>{}</summary>\n{}</details>\n", isOpen ? html(" open") : Html(),
+              summary, content);
 }
 
-Html htmlSection(std::string_view id, std::string_view title, const Html& content) {
-  return htmlSection(id, escapeHtml(title), content);
+Html htmlFold(std::string_view summary, const Html& content, bool isOpen) {
+  return htmlFold(escapeHtml(summary), content, isOpen);
 }
 
 Html htmlNote(std::string_view text) {
   return text.empty() ? Html() : html("<p class=\"note\">{}</p>\n", text);
 }
 
-Html htmlPlot(const DrawnPlot& plot) {
-  return html(
-      "<figure class=\"plot\"><img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\"></figure>\n",
-      plot.sheet.about, plot.sheet.width, plot.sheet.height,
-      pictureAddress("image/svg+xml", plot.svg));
-}
-
 Html htmlPlots(std::span<const DrawnPlot> plots, std::string_view section) {
   Html content;
   for (const DrawnPlot& plot : plots) {
     if (plot.sheet.section != section) continue;
-    content += html("<h3>{}</h3>\n{}", plot.sheet.title, htmlPlot(plot));
+    content += htmlFold(
+        html("<h3>{}</h3>", plot.sheet.title),
+        html("<figure class=\"plot\"><img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\">"
+             "</figure>\n",
+             plot.sheet.about, plot.sheet.width, plot.sheet.height,
+             pictureAddress("image/svg+xml", plot.svg)),
+        content.empty());
   }
   return content;
 }
@@ -82,15 +114,36 @@ Html htmlStatus(study::RunStatus status) {
 }
 
 Html htmlClaim(const study::ClaimRecord& claim, const Html& study) {
-  return html("<li>{}<div><p>{}{}</p><p class=\"note\">{}</p><p class=\"note\">{}</p></div></li>\n",
-              verdictTag(claim.verdict), study.empty() ? Html() : html("<b>{}</b> ", study),
-              claim.text, claim.detail, claim.source);
+  const Html text = html("{}{}", study.empty() ? Html() : html("<b>{}</b> ", study), claim.text);
+  const Html basis = html("{}{}", htmlNote(claim.detail), htmlNote(claim.source));
+  return html("<li>{}<div>{}</div></li>\n", verdictTag(claim.verdict),
+              basis.empty() ? text : htmlFold(text, basis));
 }
 
-Html htmlClaims(const Html& claims) {
-  if (claims.empty()) return {};
-  return htmlSection("claims", "What was claimed",
-                     html("<ul class=\"claims\">\n{}</ul>\n", claims));
+PageSection claimSection(std::span<const study::ClaimRecord> claims) {
+  Html lines;
+  std::vector<std::pair<std::string, std::size_t>> counts;
+  for (const study::ClaimRecord& claim : claims) {
+    lines += htmlClaim(claim);
+    const std::string verdict(study::verdictName(claim.verdict));
+    const auto found = std::find_if(counts.begin(), counts.end(),
+                                    [&](const auto& count) { return count.first == verdict; });
+    if (found == counts.end()) {
+      counts.emplace_back(verdict, 1);
+    } else {
+      ++found->second;
+    }
+  }
+  std::string hint;
+  for (const auto& [verdict, count] : counts) {
+    hint += fmt::format("{}{} {}", hint.empty() ? "" : ", ", count, verdict);
+  }
+  return claimSection(lines, escapeHtml(hint));
+}
+
+PageSection claimSection(const Html& claims, const Html& hint) {
+  return {"claims", "What was claimed",
+          claims.empty() ? Html() : html("<ul class=\"claims\">\n{}</ul>\n", claims), hint};
 }
 
 Html htmlNotices(const std::vector<std::string>& notices) {
@@ -101,9 +154,8 @@ Html htmlNotices(const std::vector<std::string>& notices) {
   return paragraphs;
 }
 
-Html htmlReproduction(std::string_view command, const Html& facts) {
-  return htmlSection("reproduce", "Run it again",
-                     html("<pre><code>{}</code></pre>\n{}", command, facts));
+PageSection reproduceSection(std::string_view command, const Html& facts) {
+  return {"reproduce", "Run it again", html("<pre><code>{}</code></pre>\n{}", command, facts)};
 }
 
 }  // namespace gnomon::report

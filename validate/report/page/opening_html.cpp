@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "report/page/html_figures.h"
+#include "report/page/picture_html.h"
 #include "report/page/html_page.h"
 #include "report/page/reference_html.h"
 #include "report/plotted_methods.h"
@@ -22,13 +22,6 @@ namespace gnomon::report {
 namespace {
 
 constexpr std::string_view truthLabel = "truth";
-
-std::string nameOf(const study::StudyRecord& record, const std::string& label) {
-  for (const study::MethodRecord& method : record.methods) {
-    if (method.label == label) return method.name;
-  }
-  return label;
-}
 
 const study::PictureRecord* pictureOf(const study::PanelRecord& panel, const std::string& method) {
   for (const study::PictureRecord& picture : panel.pictures) {
@@ -147,13 +140,10 @@ std::vector<OpeningFigure> openingFigures(const study::StudyRecord& record,
     }
     figures.push_back({*method, role});
   };
-  const auto best = std::find_if(ranked.begin(), ranked.end(), [&](const auto& method) {
-    return method.rank && nameOf(record, method.label) != controlMethod;
-  });
   const study::StudyMeans means = study::studyMeans(record);
   add(labelOf(means.methods, costReference), "flat");
   add(claimedMethod(means.methods, means.claims), "claimed");
-  if (best != ranked.end()) add(best->label, "best");
+  add(bestMethod(ranked), "best");
   add(std::string(truthLabel), "truth");
   return figures;
 }

@@ -6,17 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "image/images.h"
-#include "report/page/html_figures.h"
 #include "report/page/html_page.h"
-#include "report/plotted_methods.h"
+#include "report/page/picture_html.h"
 #include "report/tables/case_tables.h"
 #include "report/tables/formats/html_format.h"
 #include "report/tables/ranked_table.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 #include "study/record/cases.h"
-#include "study/run/stages/truth_pictures.h"
 
 namespace gnomon::report {
 
@@ -51,7 +48,7 @@ Html bestOverStudies(const Ranking& ranking, std::span<const study::StudyMeans> 
       percentText(best.meanError), percentText(best.worstError), best.worstStudy);
 }
 
-Html claimsOfStudies(std::span<const study::StudyMeans> studies) {
+PageSection claimsOfStudies(std::span<const study::StudyMeans> studies) {
   Html claims;
   for (const study::StudyMeans& study : studies) {
     for (const study::ClaimRecord& claim : study.claims) {
@@ -59,7 +56,7 @@ Html claimsOfStudies(std::span<const study::StudyMeans> studies) {
                                       study.name, study.title));
     }
   }
-  return htmlClaims(claims);
+  return claimSection(claims);
 }
 
 }  // namespace
@@ -73,20 +70,20 @@ Html rankingHtml(std::span<const study::StudyMeans> studies, std::string_view co
       studies.size(), studiesStatus(studies), bestOverStudies(ranking, studies));
   return htmlPage(
       "Methods over all studies", header,
-      htmlSection(
-          "ranking", "Methods, best first",
-          html("<p class=\"note\">Percent of {}: in each study the mean over its "
-               "lights and views, then the mean over the studies, each with the same "
-               "weight. A case is a view under a light; a method that lacks one has no "
-               "rank. <b>Truth ±</b> is the truth’s own uncertainty. Compared with the best: "
-               "{}.</p>\n{}",
-               errorWholeOver(studies), signMeaning,
-               htmlTable(rankedOverStudiesTable(studies, ranking)))) +
-          htmlSection("matrix", "Error by study",
-                      html("<p class=\"note\">The stronger the tint, the larger the error.{}</p>\n"
-                           "{}",
-                           fewerCasesNote(studies), htmlTable(studyErrorsTable(labels, studies)))) +
-          claimsOfStudies(studies) + htmlReproduction(command));
+      {{"ranking", "Which method is closest to the truth",
+        html("<p class=\"note\">Percent of {}: in each study the mean over its "
+             "lights and views, then the mean over the studies, each with the same "
+             "weight. A case is a view under a light; a method that lacks one has no "
+             "rank. <b>Truth ±</b> is the truth’s own uncertainty. Compared with the best: "
+             "{}.</p>\n{}",
+             errorWholeOver(studies), signMeaning,
+             htmlTable(rankedOverStudiesTable(studies, ranking)))},
+       {"matrix", "Which study is hard for which method",
+        html("<p class=\"note\">The stronger the tint, the larger the error.{}</p>\n"
+             "{}",
+             fewerCasesNote(studies), htmlTable(studyErrorsTable(labels, studies)))},
+       claimsOfStudies(studies),
+       reproduceSection(command)});
 }
 
 namespace {
@@ -119,7 +116,8 @@ std::string passedText(std::span<const study::Judgement> judgements, const char*
 
 }  // namespace
 
-Html referenceSection(const study::StudyRecord& record, const std::filesystem::path& folder) {
+PageSection referenceSection(const study::StudyRecord& record,
+                             const std::filesystem::path& folder) {
   Html content;
   for (const study::ProblemRecord& problem : record.problems) {
     if (problem.part == "method") continue;  // a notice names it
@@ -141,11 +139,12 @@ Html referenceSection(const study::StudyRecord& record, const std::filesystem::p
       content += changePictures(row, folder);
     }
     if (!others.empty()) {
-      content += html("<details><summary>{} of {} hold</summary>\n{}</details>\n", others.size(),
-                      plural(references.size(), "reference"), htmlTable(gateTable(others)));
+      content += htmlFold(
+          fmt::format("{} of {} hold", others.size(), plural(references.size(), "reference")),
+          htmlTable(gateTable(others)));
     }
   }
-  return htmlSection("references", "References", content);
+  return {"references", "Whether it is as good as its references", content};
 }
 
 Html statusHtml(study::RunStatus status, std::span<const study::Judgement> judgements,
@@ -160,84 +159,6 @@ Html statusHtml(study::RunStatus status, std::span<const study::Judgement> judge
     if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
   }
   return html("{} {}", htmlStatus(status), text);
-}
-
-namespace {
-
-const study::PictureRecord* shadedPicture(const study::PanelRecord& panel,
-                                          const std::string& method) {
-  const auto found = std::find_if(
-      panel.pictures.begin(), panel.pictures.end(), [&](const study::PictureRecord& picture) {
-        return picture.method == method && picture.kind == study::PictureRecord::Kind::shaded;
-      });
-  return found == panel.pictures.end() ? nullptr : &*found;
-}
-
-/// The panel in which a method's error is largest; null without any.
-const study::PanelRecord* worstPanel(const study::StudyRecord& record, const std::string& method) {
-  const study::PanelRecord* worst = nullptr;
-  double largest = -1;
-  for (const study::PanelRecord& panel : record.panels) {
-    if (shadedPicture(panel, method) == nullptr) continue;
-    const auto error = study::rateOf(record, method, {panel.view, panel.light},
-                                     study::Answer::drawn, compare::metrics::errorRate);
-    if (error.value_or(-1) <= largest) continue;
-    largest = *error;
-    worst = &panel;
-  }
-  return worst;
-}
-
-/// How wrong a square is: "1 203 of 4 096 pixels wrong"; under a light with a disc the mean of
-/// |ΔV|.
-std::string errorText(const study::WorstPlace& place, bool isSoft) {
-  const double pixels = static_cast<double>(place.side) * place.side;
-  if (isSoft) return fmt::format("mean |ΔV| {}\u202f%", percentText(place.error / pixels));
-  return fmt::format("{} of {} pixels wrong", groupedText(static_cast<std::uint64_t>(place.error)),
-                     groupedText(static_cast<std::uint64_t>(pixels)));
-}
-
-Html placeHtml(const std::string& method, const study::WorstPlace& place, bool isSoft) {
-  return html(
-      "<figure><div class=\"pair\"><img alt=\"{}\" src=\"{}\"><img alt=\"the truth\" "
-      "src=\"{}\"></div><figcaption>{}, at {}, {}</figcaption></figure>\n",
-      method, pictureAddress("image/webp", place.answer), pictureAddress("image/webp", place.truth),
-      errorText(place, isSoft), place.left, place.top);
-}
-
-Html methodHtml(const study::StudyRecord& record, const std::string& method) {
-  const study::PanelRecord* panel = worstPanel(record, method);
-  if (panel == nullptr) return {};
-  const std::vector<study::WorstPlace>& worst = shadedPicture(*panel, method)->worst;
-  if (worst.empty()) return {};
-  const auto* row = study::findResult(record, method, {panel->view, panel->light});
-  const bool isSoft = row != nullptr && !row->shares.empty();
-  Html places;
-  for (const study::WorstPlace& place : worst) places += placeHtml(method, place, isSoft);
-  return html("<h3>{} <small>{} · {}</small></h3>\n<div class=\"worst\">\n{}</div>\n", method,
-              panel->view, panel->light, places);
-}
-
-}  // namespace
-
-Html worstSection(const study::StudyRecord& record,
-                  const std::vector<study::RankedMethod>& ranked) {
-  const std::vector<std::string> methods = plottedMethods(study::studyMeans(record));
-  Html content;
-  for (const std::string& method : methods) content += methodHtml(record, method);
-  if (content.empty()) return {};
-  return htmlSection(
-      "worst", "Where each method errs most",
-      html("<p class=\"note\">Enlarged: for each method the {} squares of {} × {} pixels with the "
-           "largest error, in the view and under the light where the method is most wrong. The "
-           "method is on the left, the truth on the right. A method that draws its own mesh is "
-           "shown as a mask: white is lit.{}</p>\n{}",
-           study::mostWorstPlaces, study::worstPlaceSide, study::worstPlaceSide,
-           methods.size() < ranked.size()
-               ? fmt::format(" These are the {} of {} methods that the plots show.", methods.size(),
-                             ranked.size())
-               : "",
-           content));
 }
 
 }  // namespace gnomon::report

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/page/html_page.h"
 #include "report/text/html.h"
 #include "study/judge/ranking.h"
 #include "study/record/record.h"
@@ -19,20 +20,16 @@ namespace gnomon::report {
 /// @throws InternalError for a number that is not finite
 Html rankingHtml(std::span<const study::StudyMeans> studies, std::string_view command);
 
-/// The references that a check judged a run by: what kept it from it, those that do not hold with
-/// old and new value and their pictures, then how many hold. Nothing, if there were none.
+/// The section of the references that a check judged a run by: what kept it from it, those that do
+/// not hold with old and new value and their pictures, then how many hold. Nothing, if there were
+/// none.
 /// @param folder  the run's, where its pictures are
 /// @throws InputError for a picture that cannot be read
-Html referenceSection(const study::StudyRecord& record, const std::filesystem::path& folder);
+PageSection referenceSection(const study::StudyRecord& record, const std::filesystem::path& folder);
 
 /// "3 of 4 thresholds met, 118 of 120 references hold, 1 error" with the tag of the status.
 /// @param more  "over all values", say; may be empty
 Html statusHtml(study::RunStatus status, std::span<const study::Judgement> judgements,
                 std::size_t problems, const std::string& more = "");
-
-/// The section of the places where methods err most: of each method those that its picture records,
-/// in the view and under the light where its error is largest, each beside the truth. The methods
-/// are the `plottedMethods`. Nothing without an error.
-Html worstSection(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked);
 
 }  // namespace gnomon::report

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "report/page/html_page.h"
 #include "report/plots/drawn_plots.h"
 #include "report/tables/table.h"
 #include "report/text/html.h"
@@ -13,10 +14,9 @@ namespace gnomon::report {
 
 /// A run as one page that needs nothing beside it: style and pictures are inside, and its own
 /// content policy forbids it to load anything. Of many cases the pictures have pages of their own
-/// (casePages). In the order of a reader's questions: which
-/// method is right (opening, claims, ranking, thresholds), where are they wrong (pictures and
-/// regions a case, worst places), what do they cost, how far can the truth be trusted, how is it
-/// run again, what do the words mean.
+/// (casePages). In the order of a reader's questions: which method is best and how sure that is
+/// (opening, ranking), where methods are wrong, what they cost, whether claims, thresholds and
+/// references hold; then the pictures, and folded all that explains the figures.
 /// @param folder  the run's folder: where the paths of the pictures start
 /// @param plots   embedded, in this order
 /// @throws InputError if a difference or the truth's mask cannot be read, InternalError if it is no
@@ -24,14 +24,13 @@ namespace gnomon::report {
 Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& folder,
                 std::span<const DrawnPlot> plots = {});
 
-/// Its section on intervals: for each view its verdict and a table of its methods, ranked with
-/// their intervals. Empty if the record has no intervals.
-Html confidenceSection(const study::StudyRecord& record);
+/// Its section on intervals, of a study of several views: for each a table of its methods, ranked
+/// with their intervals. Empty of a single view, of which the ranking has them.
+PageSection confidenceSection(const study::StudyRecord& record);
 
 /// Its section "Where the error comes from": the plots and tables of the study's error budgets, all
 /// lights together, then folded away each light; nothing, if it has none.
-/// @param plots  of the run; those of other sections are passed over
-Html budgetSection(const study::StudyRecord& record);
+PageSection budgetSection(const study::StudyRecord& record);
 
 /// Tables of a run itself.
 

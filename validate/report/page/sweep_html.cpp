@@ -72,7 +72,7 @@ Html sweepHeader(const study::SweepRecord& sweep) {
 }
 
 /// What kept a check from judging the values, and where the references that do not hold are.
-Html faultyReferences(const study::SweepRecord& sweep) {
+PageSection faultyReferences(const study::SweepRecord& sweep) {
   Html content;
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     const study::StudyRecord& step = sweep.steps[i];
@@ -82,11 +82,11 @@ Html faultyReferences(const study::SweepRecord& sweep) {
                     statusHtml(study::RunStatus::fail, references, step.problems.size()),
                     sweep.cases.at(i).name, study::caseText(sweep.keys, sweep.cases.at(i)));
   }
-  return htmlSection("references", "References that do not hold", content);
+  return {"references", "References that do not hold", content};
 }
 
 /// The gates that failed, a table a value.
-Html failedThresholds(const study::SweepRecord& sweep) {
+PageSection failedThresholds(const study::SweepRecord& sweep) {
   Html content;
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     std::vector<study::Judgement> failed = study::byOrigin(sweep.steps[i].judgements).thresholds;
@@ -95,7 +95,7 @@ Html failedThresholds(const study::SweepRecord& sweep) {
     content += html("<h3>{}</h3>\n{}", study::caseText(sweep.keys, sweep.cases.at(i)),
                     htmlTable(gateTable(failed)));
   }
-  return htmlSection("thresholds", "Thresholds that failed", content);
+  return {"thresholds", "Thresholds that failed", content};
 }
 
 /// The plots, or why there are none.
@@ -107,12 +107,11 @@ Html errorPlots(const study::SweepRecord& sweep, const std::vector<DrawnPlot>& p
         "<code>cases.csv</code> has every figure.</p>\n",
         plural(sweep.cases.size(), "case"));
   }
-  return htmlNote(
-             fmt::format("Percent of {}, mean over all lights and views. The grey band is how "
-                         "uncertain the truth itself is: smaller differences mean nothing. Bars "
-                         "are 95 % intervals.",
-                         errorWhole(study::isSoft(sweep)))) +
-         htmlNote(plotReading) + drawn;
+  return htmlNote(fmt::format(
+             "Percent of {}, mean over all lights and views. The grey band is how uncertain the "
+             "truth itself is: smaller differences mean nothing. Bars are 95 % intervals. {}",
+             errorWhole(study::isSoft(sweep)), plotReading)) +
+         drawn;
 }
 
 std::string plotHeading(const study::SweepRecord& sweep) {
@@ -130,22 +129,20 @@ Html valuesNote(const study::SweepRecord& sweep) {
 }  // namespace
 
 Html sweepHtml(const study::SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
-  Html claims;
-  for (const study::ClaimRecord& claim : sweep.claims) claims += htmlClaim(claim);
   constexpr std::size_t mostColumns = 24;
   constexpr std::size_t mostRows = 1000;
   const Html values =
       valuesNote(sweep) + htmlTable(readableSweepTable(sweep, mostColumns, mostRows));
   const Html facts = html("<dl>\n{}{}</dl>\n", htmlFact("Study", sweep.file),
                           htmlFact("With the options, in this folder", sweep.copy));
-  return htmlPage(
-      sweep.heading(), sweepHeader(sweep),
-      htmlSection("plot", plotHeading(sweep), errorPlots(sweep, plots)) +
-          htmlSection("cost", "What the values cost", htmlPlots(plots, sweepCostSection)) +
-          htmlSection("values", sweep.keys.size() == 1 ? "Error by value" : "Error by case",
-                      values) +
-          htmlClaims(claims) + failedThresholds(sweep) + faultyReferences(sweep) +
-          htmlReproduction(sweep.command, facts));
+  return htmlPage(sweep.heading(), sweepHeader(sweep),
+                  {{"plot", plotHeading(sweep), errorPlots(sweep, plots)},
+                   {"values", sweep.keys.size() == 1 ? "Error by value" : "Error by case", values},
+                   {"cost", "What the values cost", htmlPlots(plots, sweepCostSection)},
+                   claimSection(sweep.claims),
+                   failedThresholds(sweep),
+                   faultyReferences(sweep),
+                   reproduceSection(sweep.command, facts)});
 }
 
 }  // namespace gnomon::report

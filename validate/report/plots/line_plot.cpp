@@ -22,6 +22,7 @@ namespace {
 constexpr std::array<int, render::methodSymbols.size()> symbolPoints = {7,  5, 9, 11, 13,
                                                                         15, 1, 2, 3};
 constexpr std::array<int, 6> outlinedPoints = {6, 4, 8, 10, 12, 14};
+constexpr int mostDashes = 5;  ///< of gnuplot's numbers
 
 /// FNV-1a of 32 bits: the same on every machine, so that a label looks the same in every report.
 std::uint32_t hashOf(std::string_view text) {
@@ -71,7 +72,7 @@ MethodStyle methodStyle(const std::string& name, const std::string& label,
     return style;
   }
   const std::uint32_t hash = hashOf(label);
-  constexpr std::uint32_t dashes = 4;
+  constexpr std::uint32_t dashes = mostDashes - 1;
   style.point = outlinedPoints.at(hash % outlinedPoints.size());
   style.dash = 2 + static_cast<int>(hash / outlinedPoints.size() % dashes);
   return style;
@@ -171,17 +172,41 @@ std::string paperCommands(const LinePlot& plot, double fontSize, std::size_t col
          curvesOf(plot);
 }
 
-MethodStyles::MethodStyles(const study::StudyMeans& study) {
+MethodStyles::MethodStyles(const study::StudyMeans& study, const std::vector<std::string>& shown) {
   for (const study::MethodMeans& method : study.methods) {
-    styles_.emplace_back(method.label,
-                         styleClause(methodStyle(method.name, method.label, method.mark)));
+    styles_.emplace_back(method.label, methodStyle(method.name, method.label, method.mark));
   }
+  setApart(shown);
 }
 
-MethodStyles::MethodStyles(const study::SuiteStatistics& statistics) {
+MethodStyles::MethodStyles(const study::SuiteStatistics& statistics,
+                           const std::vector<std::string>& shown) {
   for (const study::SuiteMethod& method : statistics.methods) {
     const std::string& name = method.names.empty() ? method.label : method.names.front();
-    styles_.emplace_back(method.label, styleClause(methodStyle(name, method.label, method.mark)));
+    styles_.emplace_back(method.label, methodStyle(name, method.label, method.mark));
+  }
+  setApart(shown);
+}
+
+void MethodStyles::setApart(const std::vector<std::string>& shown) {
+  std::vector<MethodStyle*> before;
+  for (const std::string& label : shown) {
+    const auto own = std::find_if(styles_.begin(), styles_.end(),
+                                  [&](const auto& style) { return style.first == label; });
+    if (own == styles_.end()) continue;
+    MethodStyle& style = own->second;
+    const auto isTaken = [&](int MethodStyle::*part) {
+      return std::any_of(before.begin(), before.end(), [&](const MethodStyle* other) {
+        return other->family == style.family && other->*part == style.*part;
+      });
+    };
+    for (std::size_t i = 0; i < outlinedPoints.size() && isTaken(&MethodStyle::point); ++i) {
+      style.point = outlinedPoints.at(i);
+    }
+    for (int dash = 1; dash <= mostDashes && isTaken(&MethodStyle::dash); ++dash) {
+      style.dash = dash;
+    }
+    before.push_back(&style);
   }
 }
 
@@ -189,7 +214,7 @@ std::string MethodStyles::of(const std::string& label) const {
   const auto found = std::find_if(styles_.begin(), styles_.end(),
                                   [&](const auto& style) { return style.first == label; });
   if (found == styles_.end()) throw InternalError(fmt::format("no method \"{}\" to draw", label));
-  return found->second;
+  return styleClause(found->second);
 }
 
 std::string shortLegend(const std::string& label) {

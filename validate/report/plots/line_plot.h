@@ -107,17 +107,22 @@ std::vector<PlotSheet> sheetsOf(const std::vector<LinePlot>& plots);
 /// @param columns   of the legend
 std::string paperCommands(const LinePlot& plot, double fontSize, std::size_t columns);
 
-/// The curve's style of each method of a report, by its label.
+/// The curve's style of each method of a report, by its label: as methodStyle has it; of methods
+/// that one plot shows and that have a colour in common, the later takes a symbol and dashes that
+/// none before it has.
 class MethodStyles {
  public:
   /// @param study  of a run or a sweep
-  explicit MethodStyles(const study::StudyMeans& study);
-  explicit MethodStyles(const study::SuiteStatistics& statistics);
+  /// @param shown  labels of the methods that one plot shows, in the order of its legend
+  MethodStyles(const study::StudyMeans& study, const std::vector<std::string>& shown);
+  MethodStyles(const study::SuiteStatistics& statistics, const std::vector<std::string>& shown);
   /// @throws InternalError for a label that is no method's
   [[nodiscard]] std::string of(const std::string& label) const;
 
  private:
-  std::vector<std::pair<std::string, std::string>> styles_;
+  void setApart(const std::vector<std::string>& shown);
+
+  std::vector<std::pair<std::string, MethodStyle>> styles_;
 };
 
 /// A label as a legend has it, shortened where it is too long.

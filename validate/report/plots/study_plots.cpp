@@ -167,7 +167,7 @@ std::vector<LinePlot> studyPlots(const study::StudyRecord& record,
                                  const std::vector<std::string>& shown) {
   std::vector<LinePlot> plots;
   const study::StudyMeans means = study::studyMeans(record);
-  const MethodStyles styles(means);
+  const MethodStyles styles(means, shown);
   addBins(plots, record, shown, styles);
   addFrontiers(plots, record, means, shown, styles);
   return plots;

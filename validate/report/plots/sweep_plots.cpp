@@ -112,7 +112,7 @@ std::optional<LinePlot> memoryPlot(const study::SweepRecord& sweep, const SweepS
 
 std::vector<LinePlot> sweepPlots(const study::SweepRecord& sweep,
                                  const std::vector<std::string>& shown) {
-  const MethodStyles styles(study::studyMeans(sweep));
+  const MethodStyles styles(study::studyMeans(sweep), shown);
   const std::vector<SweepSlice> slices = slicesOf(sweep);
   std::vector<LinePlot> plots;
   for (const SweepSlice& slice : slices) plots.push_back(errorPlot(sweep, slice, shown, styles));

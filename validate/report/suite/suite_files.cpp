@@ -284,9 +284,9 @@ Html noted(const Html& note, const Html& content) {
   return content.empty() ? Html() : html("<p class=\"note\">{}</p>\n{}", note, content);
 }
 
-Html rankedSection(const study::SuiteStatistics& statistics) {
-  return htmlSection(
-      "ranking", "Methods, best first",
+PageSection rankedSection(const study::SuiteStatistics& statistics) {
+  return {
+      "ranking", "Which method is closest to the truth",
       noted(
           html("Percent of {}. <b>Worst 5&#8239;%</b> is the mean over the worst "
                "twentieth of the scenes. <b>Ranks</b> are those of 95&#8239;% of the resamples of "
@@ -294,70 +294,70 @@ Html rankedSection(const study::SuiteStatistics& statistics) {
                "the table. Compared with the first, by Holm’s correction over all {} of methods: "
                "{}.",
                suiteFigure(statistics).of, plural(statistics.comparisons, "pair"), signMeaning),
-          htmlTable(suiteRankedTable(statistics))));
+          htmlTable(suiteRankedTable(statistics)))};
 }
 
-Html leaderSection(const study::SuiteStatistics& statistics) {
+PageSection leaderSection(const study::SuiteStatistics& statistics) {
   const Table table = suiteLeaderTable(statistics);
   if (table.rows.empty()) return {};
-  return htmlSection(
+  return {
       "first", "Against " + statistics.methods.front().label,
       noted(html("Paired by scene. A scene on which two methods differ by no more than the truth’s "
                  "uncertainty counts half for each."),
-            htmlTable(table)));
+            htmlTable(table))};
 }
 
-Html winsSection(const std::vector<DrawnPlot>& plots) {
-  return htmlSection(
+PageSection winsSection(const std::vector<DrawnPlot>& plots) {
+  return {
       "wins", "Who beats whom",
       noted(html("How probable it is, in percent, that the method of the row has a smaller error "
                  "than that of the column on a new scene. Blue above 50, orange below it; "
                  "no colour where the two are not known to differ: ≈ not distinguishable, = the "
                  "same answers, ? no interval."),
-            htmlPlots(plots, "wins")));
+            htmlPlots(plots, "wins"))};
 }
 
-Html binsSection(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots) {
+PageSection binsSection(const study::SuiteStatistics& statistics,
+                        const std::vector<DrawnPlot>& plots) {
   Html tables;
   for (const std::string& axis : suiteAxes(statistics)) {
     tables += html("<h3>{}</h3>\n{}", axisTitle(axis), htmlTable(suiteBinsTable(statistics, axis)));
   }
   if (tables.empty()) return {};
-  return htmlSection(
+  return {
       "bins", "Where methods fail",
       noted(
           html("Error among the samples of all scenes that lie in a bin, each scene with the same "
                "weight. Bars are 95&#8239;% intervals over the scenes; errors below "
                "0.01&#8239;% are drawn at 0.01&#8239;%. The tables have all methods."),
-          htmlPlots(plots, "bins") +
-              html("<details>\n<summary>All methods</summary>\n{}</details>\n", tables)));
+          htmlPlots(plots, "bins") + htmlFold("The figures of every method", tables))};
 }
 
-Html hardSection(const study::SuiteStatistics& statistics) {
+PageSection hardSection(const study::SuiteStatistics& statistics) {
   const Table table = suiteScenesTable(statistics, mostHardScenes);
   if (statistics.methods.empty() || !statistics.methods.front().rank) return {};
-  return htmlSection("scenes", "The hardest scenes",
-                     noted(html("The {} with the largest median of the ranked methods’ errors, "
-                                "percent of {}.",
-                                plural(table.rows.size(), "scene"), suiteFigure(statistics).of),
-                           htmlTable(table)));
+  return {"scenes", "The hardest scenes",
+          noted(html("The {} with the largest median of the ranked methods’ errors, "
+                     "percent of {}.",
+                     plural(table.rows.size(), "scene"), suiteFigure(statistics).of),
+                htmlTable(table))};
 }
 
 }  // namespace
 
 Html suiteHtml(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots,
                std::string_view command) {
-  const Html curves = htmlSection(
+  const PageSection curves = {
       "errors", "Share of the scenes with an error below",
       noted(html("The farther up and to the left a curve runs, the better the method. It reaches "
                  "100&#8239;% at the method’s worst scene. Errors below 0.01&#8239;% are drawn at "
                  "0.01&#8239;%. {}",
                  plotReading),
-            htmlPlots(plots, "plots")));
-  return htmlPage(statistics.suite, header(statistics),
-                  rankedSection(statistics) + curves + winsSection(plots) +
-                      leaderSection(statistics) + binsSection(statistics, plots) +
-                      hardSection(statistics) + htmlReproduction(command));
+            htmlPlots(plots, "plots"))};
+  return htmlPage(
+      statistics.suite, header(statistics),
+      {rankedSection(statistics), curves, winsSection(plots), leaderSection(statistics),
+       binsSection(statistics, plots), hardSection(statistics), reproduceSection(command)});
 }
 
 }  // namespace gnomon::report

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
+#include "common/lists.h"
+#include "report/plots/line_plot.h"
 #include "report/text/confidence_text.h"
 #include "report/text/gate_text.h"
 #include "report/text/number_text.h"
@@ -91,7 +94,7 @@ std::map<std::string, study::LikeMethods> likeMethods(const study::StudyRecord& 
 
 Cell methodCell(const std::string& method, const study::LikeMethods& like) {
   Cell cell = textCell(method);
-  cell.note = likeText(like);
+  cell.about = likeText(like);
   return cell;
 }
 
@@ -270,6 +273,52 @@ Table binsTable(const study::StudyRecord& record) {
     table.rows.push_back(std::move(row));
   }
   return table;
+}
+
+std::vector<Table> binErrorTables(const study::StudyRecord& record) {
+  using Bins = std::vector<const study::BinRecord*>;
+  std::map<std::pair<std::string, std::string>, Bins> groups;
+  for (const study::BinRecord& bin : record.bins) {
+    if (bin.light == study::allLights) groups[{bin.axis, bin.view}].push_back(&bin);
+  }
+  const auto errorOf = [](const study::BinRecord& bin) {
+    return compare::rate(bin.counts, compare::metrics::errorRate);
+  };
+  std::vector<Table> tables;
+  for (const auto& [group, bins] : groups) {
+    std::vector<BinEnds> ends;
+    double worst = 0;
+    for (const study::BinRecord* bin : bins) {
+      appendOnce(ends, BinEnds{bin->low, bin->high});
+      worst = std::max(worst, errorOf(*bin).value.value_or(0));
+    }
+    if (ends.size() < 2) continue;
+    std::sort(ends.begin(), ends.end());
+    Table table{.kind = "regions",
+                .title = fmt::format("Error by {} ({})", axisTitle(group.first), group.second),
+                .columns = {{"Method", "method", Quantity::name}}};
+    for (const auto& [low, high] : ends)
+      table.columns.push_back({binText(low, high), "", Quantity::percent});
+    for (const std::string& method : study::methodsOf(record)) {
+      Row row{{textCell(method)}};
+      for (const BinEnds& place : ends) {
+        const auto bin = std::find_if(bins.begin(), bins.end(), [&](const study::BinRecord* one) {
+          return one->method == method && BinEnds{one->low, one->high} == place;
+        });
+        if (bin == bins.end()) {
+          row.cells.push_back(valueCell({}, "no sample"));
+          continue;
+        }
+        const compare::Metric error = errorOf(**bin);
+        row.cells.push_back(error.value ? heatCell(*error.value, worst,
+                                                   groupedText((*bin)->counts.samples) + " samples")
+                                        : metricCell(error));
+      }
+      table.rows.push_back(std::move(row));
+    }
+    tables.push_back(std::move(table));
+  }
+  return tables;
 }
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "report/tables/table.h"
 #include "study/record/cases.h"
@@ -28,6 +29,10 @@ Table metricsTable(const study::StudyRecord& record);
 /// high (none where the bin has no end), samples, tp, fp, fn, tn, error_rate, false_shadow,
 /// false_light.
 Table binsTable(const study::StudyRecord& record);
+
+/// Of each axis of samples and each view, all lights together: every method's error in each bin,
+/// tinted by size. None of one bin alone.
+std::vector<Table> binErrorTables(const study::StudyRecord& record);
 
 /// The error of every method in every case: a row a case.
 /// @param methods  labels, a column each

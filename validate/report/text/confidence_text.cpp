@@ -107,11 +107,19 @@ std::vector<study::DifferenceRecord> differencesToBest(const study::StudyRecord&
   return found;
 }
 
-std::string confidenceNote(const study::StudyRecord& record, const std::string& view) {
+std::string blocksText(const study::StudyRecord& record, const std::string& view) {
   const std::vector<study::ConfidenceRecord> ranked = rankedIn(record, view);
   if (ranked.empty()) return "";
   Range blocks;
   for (const study::ConfidenceRecord& row : ranked) blocks.add(static_cast<double>(row.blocks));
+  return fmt::format("The intervals come from {} blocks of {} × {} samples.",
+                     blocks.text([](double count) { return fmt::format("{}", count); }),
+                     ranked.front().blockSide, ranked.front().blockSide);
+}
+
+std::string confidenceNote(const study::StudyRecord& record, const std::string& view) {
+  const std::string blocks = blocksText(record, view);
+  if (blocks.empty()) return "";
   Range uncertainty;
   for (const study::DifferenceRecord& toBest : differencesToBest(record, view)) {
     uncertainty.add(toBest.uncertainty);
@@ -121,12 +129,8 @@ std::string confidenceNote(const study::StudyRecord& record, const std::string& 
           ? ""
           : fmt::format(" The truth’s uncertainty is {} %.",
                         uncertainty.text([](double share) { return percentText(share); }));
-  return fmt::format(
-      "Percent of {}, mean over the lights. {} It comes from {} blocks of {} × {} "
-      "samples. Compared with the best: {}.{}",
-      errorWhole(study::isSoft(record)), intervalMeaning,
-      blocks.text([](double count) { return fmt::format("{}", count); }), ranked.front().blockSide,
-      ranked.front().blockSide, signMeaning, truth);
+  return fmt::format("Percent of {}, mean over the lights. {}{}", errorWhole(study::isSoft(record)),
+                     blocks, truth);
 }
 
 std::string restName(std::string_view rest) {

@@ -30,7 +30,10 @@ std::string verdictText(const study::StudyRecord& record, const std::string& vie
 std::vector<study::DifferenceRecord> differencesToBest(const study::StudyRecord& record,
                                                        const std::string& view);
 
-/// What the intervals of a view mean, on how many blocks they rest, and the truth's uncertainty.
+/// "The intervals come from 175 to 195 blocks of 54 × 54 samples."; empty of a view without any.
+std::string blocksText(const study::StudyRecord& record, const std::string& view);
+
+/// What the errors of a view are shares of, its blocks, and the truth's uncertainty.
 std::string confidenceNote(const study::StudyRecord& record, const std::string& view);
 
 /// Texts of an error budget, the same in every kind of report.

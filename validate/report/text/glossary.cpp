@@ -178,19 +178,21 @@ Html htmlHeading(std::string_view text) {
 
 Html htmlGlossary(const Html& page) {
   Html entries;
+  std::size_t count = 0;
   for (std::size_t place = 0; place < glossary().size(); ++place) {
     const std::string link = fmt::format("popovertarget=\"term-{}\"", place);
     if (page.text().find(link) == std::string::npos) continue;
     const Term& term = glossary()[place];
-    // In the list at rest; over the page while it is open.
+    ++count;
+    // Outside of any fold, or it could not open.
     entries += html("<div popover id=\"term-{}\"><dt>{}</dt><dd>{}</dd></div>\n", place, term.name,
                     term.meaning);
   }
   if (entries.empty()) return {};
   return html(
-      "<section id=\"terms\">\n<h2>What the words mean</h2>\n<dl class=\"terms\">\n{}</dl>"
-      "\n</section>\n",
-      entries);
+      "<details class=\"index\"><summary>All {} words</summary></details>\n<dl class=\"terms\">\n"
+      "{}</dl>\n",
+      count, entries);
 }
 
 }  // namespace gnomon::report

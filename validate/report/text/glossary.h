@@ -31,7 +31,7 @@ Html htmlTerm(std::string_view name, std::string_view text = {});
 /// The same for a heading: any word, which stays plain where the glossary does not have it.
 Html htmlHeading(std::string_view text);
 
-/// The section that lists the terms that a page uses: what htmlTerm opens. Nothing without any.
+/// The list of the terms that a page uses: what htmlTerm opens. Nothing without any.
 Html htmlGlossary(const Html& page);
 
 }  // namespace gnomon::report

@@ -70,6 +70,7 @@ Html bodyCell(const Column& column, const Cell& cell, const Row& row) {
   Html content = contentOf(column, cell);
   const bool isName = column.quantity == Quantity::name;
   if (isName) content += escapeHtml(row.mark);
+  if (cell.bar) content = html("<span class=\"name\">{}</span>", content);
   if (cell.bar) content += htmlErrorBar(*cell.bar);
   content += smallNote(cell.note);
   if (isName) content += smallNote(row.remark);
