@@ -120,15 +120,19 @@ TEST(TerminalFormat, FiguresThatDoNotFitFollowInBlocksWithTheirNames) {
 
 TEST(HtmlFormat, EscapesAndSaysWhyThereIsNothing) {
   const std::string html = htmlTable(sample()).text();
-  EXPECT_THAT(html, AllOf(HasSubstr("<table class=\"sample\">"),
-                          HasSubstr("<th></th><th>Method</th><th class=\"n\"><button "),
-                          HasSubstr("<td class=\"rank\">1</td><td class=\"method\">plain</td>"
-                                    "<td class=\"n\"><b>12.50</b></td>"),
-                          HasSubstr("<td class=\"method\">a|b_&amp; &lt;c&gt; ≈</td>"
-                                    "<td class=\"n\" title=\"no &quot;samples&quot;\">–</td>"
-                                    "<td class=\"n\" title=\"too few\">–</td>"),
-                          HasSubstr("影の長さ<small class=\"same\">in 1 of 2 cases</small>"),
-                          HasSubstr("&lt;0.01*</td>")));
+  EXPECT_THAT(
+      html,
+      AllOf(
+          HasSubstr("<table class=\"sample\">"),
+          HasSubstr(
+              "<th><span class=\"unseen\">rank</span></th><th>Method</th><th class=\"n\"><button "),
+          HasSubstr("<td class=\"rank\">1</td><td class=\"method\">plain</td>"
+                    "<td class=\"n\"><b>12.50</b></td>"),
+          HasSubstr("<td class=\"method\">a|b_&amp; &lt;c&gt; ≈</td>"
+                    "<td class=\"n\" title=\"no &quot;samples&quot;\">–</td>"
+                    "<td class=\"n\" title=\"too few\">–</td>"),
+          HasSubstr("影の長さ<small class=\"same\">in 1 of 2 cases</small>"),
+          HasSubstr("&lt;0.01*</td>")));
   EXPECT_THAT(html, Not(HasSubstr("MB"))) << "a column for paper";
 }
 

@@ -137,20 +137,26 @@ PageSection foldedCases(const study::StudyRecord& record, std::span<const Place>
 PageSection errorsByLight(const study::StudyRecord& record,
                           const std::vector<study::RankedMethod>& ranked,
                           std::span<const Place> places) {
-  std::vector<std::string> labels;
-  labels.reserve(ranked.size());
-  for (const study::RankedMethod& method : ranked) labels.push_back(method.label);
   std::vector<study::Case> cases;
   std::vector<std::string> links;
   for (const Place& place : places) {
     cases.push_back(place.which);
     links.push_back(place.link);
   }
+  const auto tableOf = [&](const std::vector<std::string>& labels) {
+    return htmlTable(caseErrorsTable(record, labels, cases, links));
+  };
+  std::vector<std::string> labels;
+  labels.reserve(ranked.size());
+  for (const study::RankedMethod& method : ranked) labels.push_back(method.label);
+  constexpr std::size_t mostColumns = 12;
+  const bool areMany = labels.size() > mostColumns;
   return {"heat", "Under which light each method is wrong",
           htmlNote(fmt::format("Percent of {}; the stronger the tint, the larger the error. Each "
                                "light leads to its pictures and tables.",
                                errorWhole(study::isSoft(record)))) +
-              htmlTable(caseErrorsTable(record, labels, cases, links))};
+              tableOf(areMany ? shownMethods(record).labels : labels) +
+              (areMany ? htmlFold("Every method", tableOf(labels)) : Html())};
 }
 
 Html stepLink(const Place* place, std::string_view text) {

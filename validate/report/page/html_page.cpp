@@ -84,16 +84,22 @@ Html htmlNote(std::string_view text) {
 }
 
 Html htmlPlots(std::span<const DrawnPlot> plots, std::string_view section) {
-  Html content;
+  std::vector<const DrawnPlot*> own;
   for (const DrawnPlot& plot : plots) {
-    if (plot.sheet.section != section) continue;
-    content += htmlFold(
-        html("<h3>{}</h3>", plot.sheet.title),
-        html("<figure class=\"plot\"><img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\">"
-             "</figure>\n",
-             plot.sheet.about, plot.sheet.width, plot.sheet.height,
-             pictureAddress("image/svg+xml", plot.svg)),
-        content.empty());
+    if (plot.sheet.section == section) own.push_back(&plot);
+  }
+  Html content;
+  for (const DrawnPlot* plot : own) {
+    const PlotSheet& sheet = plot->sheet;
+    const Html image = html("<img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\">", sheet.about,
+                            sheet.width, sheet.height, pictureAddress("image/svg+xml", plot->svg));
+    if (own.size() == 1) {
+      return html("<figure class=\"plot\" tabindex=\"0\">{}<figcaption>{}</figcaption></figure>\n",
+                  image, sheet.title);
+    }
+    content += htmlFold(html("<h3>{}</h3>", sheet.title),
+                        html("<figure class=\"plot\" tabindex=\"0\">{}</figure>\n", image),
+                        content.empty());
   }
   return content;
 }
@@ -116,8 +122,9 @@ Html htmlStatus(study::RunStatus status) {
 Html htmlClaim(const study::ClaimRecord& claim, const Html& study) {
   const Html text = html("{}{}", study.empty() ? Html() : html("<b>{}</b> ", study), claim.text);
   const Html basis = html("{}{}", htmlNote(claim.detail), htmlNote(claim.source));
-  return html("<li>{}<div>{}</div></li>\n", verdictTag(claim.verdict),
-              basis.empty() ? text : htmlFold(text, basis));
+  return html(
+      "<li>{}<div>{}</div></li>\n", verdictTag(claim.verdict),
+      basis.empty() ? text : htmlFold(text, basis, claim.verdict == study::Verdict::failed));
 }
 
 PageSection claimSection(std::span<const study::ClaimRecord> claims) {
@@ -147,15 +154,19 @@ PageSection claimSection(const Html& claims, const Html& hint) {
 }
 
 Html htmlNotices(const std::vector<std::string>& notices) {
-  Html paragraphs;
-  for (const std::string& notice : notices) {
-    paragraphs += html("<p class=\"lead\"><b>Notice:</b> {}</p>\n", notice);
+  constexpr std::size_t mostOpen = 2;
+  Html open;
+  Html folded;
+  for (std::size_t i = 0; i < notices.size(); ++i) {
+    (i < mostOpen ? open : folded) += html("<p><b>Notice:</b> {}</p>\n", notices[i]);
   }
-  return paragraphs;
+  const std::size_t rest = notices.size() - std::min(mostOpen, notices.size());
+  return open + htmlFold(plural(rest, "more notice"), folded);
 }
 
 PageSection reproduceSection(std::string_view command, const Html& facts) {
-  return {"reproduce", "Run it again", html("<pre><code>{}</code></pre>\n{}", command, facts)};
+  return {"reproduce", "Run it again",
+          html("<pre tabindex=\"0\"><code>{}</code></pre>\n{}", command, facts)};
 }
 
 }  // namespace gnomon::report

@@ -38,8 +38,8 @@ Html htmlFold(std::string_view summary, const Html& content, bool isOpen = false
 /// A paragraph in small letters; nothing, if there is no text.
 Html htmlNote(std::string_view text);
 
-/// The plots of a section of a page, each under its title: the first is open, the others are
-/// folded.
+/// The plots of a section of a page, each under its title: of several the first is open, the others
+/// are folded.
 Html htmlPlots(std::span<const DrawnPlot> plots, std::string_view section);
 
 /// Which methods the plots of a page show, and what their marks mean.
@@ -65,7 +65,7 @@ PageSection claimSection(std::span<const study::ClaimRecord> claims);
 /// The same of lines that htmlClaim made.
 PageSection claimSection(const Html& claims, const Html& hint = {});
 
-/// The notices that stand before the figures, a paragraph each.
+/// The notices that stand before the figures, a paragraph each; those after the second are folded.
 Html htmlNotices(const std::vector<std::string>& notices);
 
 /// How a run is done again: its command, and facts about it.

@@ -6,8 +6,8 @@
 #include <optional>
 #include <set>
 
-#include "report/page/picture_html.h"
 #include "report/page/html_page.h"
+#include "report/page/picture_html.h"
 #include "report/page/reference_html.h"
 #include "report/plotted_methods.h"
 #include "report/tables/cost_table.h"

@@ -1,10 +1,12 @@
 #include "report/page/picture_html.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -18,7 +20,6 @@
 #include "report/plotted_methods.h"
 #include "report/text/glossary.h"
 #include "report/text/number_text.h"
-#include "study/judge/distinguish.h"
 #include "study/judge/study_means.h"
 #include "study/record/cases.h"
 #include "study/run/stages/truth_pictures.h"
@@ -275,8 +276,9 @@ namespace {
 
 using PictureKind = study::PictureRecord::Kind;
 
-const study::PictureRecord* pictureOfKind(const study::PanelRecord& panel, const std::string& method,
-                                      PictureKind kind = PictureKind::shaded) {
+const study::PictureRecord* pictureOfKind(const study::PanelRecord& panel,
+                                          const std::string& method,
+                                          PictureKind kind = PictureKind::shaded) {
   const auto found = std::find_if(panel.pictures.begin(), panel.pictures.end(),
                                   [&](const study::PictureRecord& picture) {
                                     return picture.method == method && picture.kind == kind;
@@ -354,34 +356,33 @@ Html tileHtml(std::string_view about, const Html& address) {
 /// A method's worst places, the worst first.
 struct WorstOf {
   std::string method;
-  std::vector<std::string> alike;  ///< methods with the same answers there
   const study::PanelRecord* panel = nullptr;
   const std::vector<study::WorstPlace>* places = nullptr;
+  std::vector<std::string> alike = {};  ///< methods that err at the same places
 };
 
-/// Whether two methods give the same answers at the same places.
-bool areAlike(const study::StudyRecord& record, const WorstOf& a, const WorstOf& b) {
-  if (a.panel != b.panel) return false;
-  const auto difference =
-      study::differenceOf(record, a.panel->view, a.panel->light, a.method, b.method);
-  if (difference && difference->verdict == study::DifferenceVerdict::equal) return true;
-  return std::equal(a.places->begin(), a.places->end(), b.places->begin(), b.places->end(),
-                    [](const study::WorstPlace& one, const study::WorstPlace& other) {
-                      return one.left == other.left && one.top == other.top &&
-                             one.answer == other.answer;
-                    });
+bool overlap(const study::WorstPlace& a, const study::WorstPlace& b) {
+  const int across = std::max(0, a.side - std::abs(a.left - b.left));
+  const int down = std::max(0, a.side - std::abs(a.top - b.top));
+  return 2 * across * down > a.side * a.side;
+}
+
+/// Whether the places of two methods are the same by more than half.
+bool areAlike(const WorstOf& a, const WorstOf& b) {
+  return a.panel == b.panel && std::equal(a.places->begin(), a.places->end(), b.places->begin(),
+                                          b.places->end(), overlap);
 }
 
 std::vector<WorstOf> worstPlaces(const study::StudyRecord& record,
                                  const std::vector<std::string>& methods) {
   std::vector<WorstOf> all;
   for (const std::string& method : methods) {
-    WorstOf own{method, {}, worstPanel(record, method)};
+    WorstOf own{method, worstPanel(record, method)};
     if (own.panel == nullptr) continue;
     own.places = &pictureOfKind(*own.panel, method)->worst;
     if (own.places->empty()) continue;
-    const auto same = std::find_if(
-        all.begin(), all.end(), [&](const WorstOf& other) { return areAlike(record, own, other); });
+    const auto same = std::find_if(all.begin(), all.end(),
+                                   [&](const WorstOf& other) { return areAlike(own, other); });
     if (same == all.end()) {
       all.push_back(std::move(own));
     } else {
@@ -397,22 +398,26 @@ Html placesHtml(const study::StudyRecord& record, const WorstOf& worst, bool isF
   const auto* row =
       study::findResult(record, worst.method, {worst.panel->view, worst.panel->light});
   const bool isSoftRow = row != nullptr && !row->shares.empty();
-  const study::PictureRecord* difference = pictureOfKind(*worst.panel, worst.method, PictureKind::difference);
+  const study::PictureRecord* difference =
+      pictureOfKind(*worst.panel, worst.method, PictureKind::difference);
   std::optional<PictureSquare> signedPicture;
   if (difference != nullptr) signedPicture.emplace(folder / difference->path);
-  std::string name = worst.method;
-  for (const std::string& other : worst.alike) name += ", " + other;
+  const std::string panel = record.panels.size() > 1
+                                ? fmt::format("{} · {}, ", worst.panel->view, worst.panel->light)
+                                : "";
+  const std::string alike =
+      worst.alike.empty() ? "" : fmt::format(". Also {}", fmt::join(worst.alike, ", "));
   Html content;
   for (std::size_t i = isFirst ? 0 : 1; i < (isFirst ? 1 : worst.places->size()); ++i) {
     const study::WorstPlace& place = worst.places->at(i);
     const Html signedTile = signedPicture ? signedPicture->address(place) : Html();
     content += html(
-        "<figure><div class=\"tiles\">{}{}{}</div><figcaption><b>{}</b> {} <small>{} · {}, at {}, "
-        "{}</small></figcaption></figure>\n",
+        "<figure><div class=\"tiles\">{}{}{}</div><figcaption><b>{}</b> {} <small>{}at {}, {}{}"
+        "</small></figcaption></figure>\n",
         tileHtml(worst.method, pictureAddress("image/webp", place.answer)),
         tileHtml("the truth", pictureAddress("image/webp", place.truth)),
-        signedTile.empty() ? Html() : tileHtml("the difference", signedTile), name,
-        errorText(place, isSoftRow), worst.panel->view, worst.panel->light, place.left, place.top);
+        signedTile.empty() ? Html() : tileHtml("the difference", signedTile), worst.method,
+        errorText(place, isSoftRow), panel, place.left, place.top, alike);
   }
   return content;
 }

@@ -100,15 +100,16 @@ PageSection costSection(const study::StudyRecord& record, const std::optional<st
                         std::span<const DrawnPlot> plots) {
   if (record.cost.empty()) return {};
   const std::string rates = publishedRates(record);
-  const Html drawn = htmlPlots(plots, "cost");
+  const bool isTimed = std::any_of(record.cost.begin(), record.cost.end(),
+                                   [](const auto& cost) { return cost.frameMs.has_value(); });
   return {
       "cost", "What each method costs",
-      htmlNote("One frame of the first camera view, drawn on this machine: times compare "
-               "methods here, another graphics card has others.") +
-          drawn +
+      htmlNote(isTimed ? "One frame of the first camera view, drawn on this machine: times "
+                         "compare methods here, another graphics card has others."
+                       : "No frame was timed. The ranking has the memory of each method.") +
+          htmlPlots(plots, "cost") +
           htmlFold("Triangles, memory, passes and times of every method",
-                   htmlTable(costTable(record)) + htmlNote(keptFrames(record)) + htmlNote(rates),
-                   drawn.empty()),
+                   htmlTable(costTable(record)) + htmlNote(keptFrames(record)) + htmlNote(rates)),
       best ? costHint(record, *best) : Html()};
 }
 

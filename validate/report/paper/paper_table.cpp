@@ -32,9 +32,10 @@ std::string keyOf(const Column& column) {
   return key;
 }
 
-/// Whether people read it, and it is more than the row's name.
+/// Whether a paper may have it, and it is more than the row's name.
 bool isChoice(const Column& column) {
-  return column.quantity != Quantity::name && column.quantity != Quantity::exact;
+  return column.quantity != Quantity::name && column.quantity != Quantity::exact &&
+         column.readers != onPage;
 }
 
 }  // namespace

@@ -77,11 +77,12 @@ Row rankedRow(const study::StudyRecord& record, const study::RankedMethod& metho
   return {
       {rankCell(method.rank), name, error,
        intervalCell(method.means.interval, method.means.interval ? "" : "no interval was measured"),
-       valueCell(method.toBest ? std::optional(method.toBest->difference) : std::nullopt),
+       method.toBest ? valueCell(method.toBest->difference) : textCell(""),
        method.toBest ? intervalCell(method.toBest->interval, method.toBest->reason) : textCell(""),
        valueCell(method.uncertainty), toBestCell(method), mean(method.testError),
        valueCell(method.means.falseShadow), valueCell(method.means.falseLight), mean(method.iou),
-       countCell(method.cases), countCell(method.allCases), valueCell(method.leaderError),
+       mean(method.ber), countCell(method.cases), countCell(method.allCases),
+       valueCell(method.leaderError),
        valueCell(cost ? std::optional(static_cast<double>(memoryBytes(*cost))) : std::nullopt),
        valueCell(cost ? cost->frameMs : std::nullopt)},
       signOf(method),
@@ -143,16 +144,16 @@ Table rankedTable(const study::StudyRecord& record,
                           {"False shadow", "false_shadow", Q::percent},
                           {"False light", "false_light", Q::percent},
                           {"IoU", "iou", Q::percent, byAll & ~inColumn & ~onPage},
+                          {"BER", "", Q::percent, 0U},
                           {"", "cases", Q::exact, asData},
                           {"", "all_cases", Q::exact, asData},
                           {"", "leader_error_rate", Q::exact, asData},
                           {"Memory", "bytes", Q::megabytes, byAll & ~onTerminal, "MB"},
                           {"Frame", "frame_ms", Q::decimals, onPage | onPaper | asData, "ms"}}};
   table.columns[2].isMain = true;
-  table.columns[15].shortName = "MB";
-  if (record.cost.empty()) {
-    for (const std::size_t i : {15U, 16U}) table.columns[i].readers &= ~onPage;
-  }
+  table.columns[16].shortName = "MB";
+  if (record.cost.empty()) table.columns[16].readers &= ~onPage;
+  if (!isTimed(record)) table.columns[17].readers &= ~onPage;
   const double scale = barScale(ranked);
   for (const study::RankedMethod& method : ranked) {
     table.rows.push_back(rankedRow(record, method, ranked.front(), scale));

@@ -96,6 +96,7 @@ constexpr auto terms = std::to_array<Term>({
      "A value committed earlier; a check fails where a run is worse by more than a "
      "tolerance."},
     {"Triangles", "Those that the method draws in a frame, each mesh once."},
+    {"Memory", "Of the tables and of the height map, where the method reads it while it draws."},
     {"Tables", "Memory of the tables and textures that the method makes."},
     {"Height map", "Memory of the bump map itself, where the method reads it while it draws."},
     {"Texels read",

@@ -20,7 +20,9 @@ Html headingHtml(const Column& column) {
 }
 
 Html headCell(const Column& column) {
-  const Html name = column.link.empty()
+  // A column of ranks or signs explains itself to the eye alone.
+  const Html name = column.name.empty() ? html("<span class=\"unseen\">{}</span>", column.key)
+                    : column.link.empty()
                         ? headingHtml(column)
                         : html("<a href=\"{}\">{}</a>", column.link, heading(column));
   const Html note = column.note.empty() ? Html() : html("<small>{}</small>", column.note);
@@ -70,8 +72,9 @@ Html bodyCell(const Column& column, const Cell& cell, const Row& row) {
   Html content = contentOf(column, cell);
   const bool isName = column.quantity == Quantity::name;
   if (isName) content += escapeHtml(row.mark);
-  if (cell.bar) content = html("<span class=\"name\">{}</span>", content);
-  if (cell.bar) content += htmlErrorBar(*cell.bar);
+  if (cell.bar) {
+    content = html("<div class=\"bar\"><span>{}</span>{}</div>", content, htmlErrorBar(*cell.bar));
+  }
   content += smallNote(cell.note);
   if (isName) content += smallNote(row.remark);
   return html("<td{}{}>{}</td>", classOf(column, cell), tooltip(cell.about), content);
@@ -96,7 +99,7 @@ Html htmlTable(const Table& table) {
     notes += html("<p class=\"note\">{}</p>\n", note);
   }
   return html(
-      "<div class=\"scroll\"><table "
+      "<div class=\"scroll\" tabindex=\"0\"><table "
       "class=\"{}\">\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>\n"
       "</table></div>\n{}",
       table.kind, head, body, notes);
