@@ -3,12 +3,10 @@
 #include <limits>
 
 #include "common/error.h"
-#include "report/tables/formats/formats.h"
-#include "report/tables/formats/html_format.h"
-#include "report/tables/formats/latex_format.h"
-#include "report/tables/formats/terminal_format.h"
-#include "report/tables/formats/text_formats.h"
-#include "report/text/text_width.h"
+#include "report/page/html_page.h"
+#include "report/tables/latex_table.h"
+#include "report/tables/table.h"
+#include "report/terminal_page.h"
 #include "support/lines.h"
 
 // One table in every format.

@@ -14,10 +14,9 @@
 #include "image/images.h"
 #include "report/page/case_html.h"
 #include "report/page/html_page.h"
-#include "report/page/opening_html.h"
 #include "report/page/report_html.h"
-#include "report/page/terminal_report.h"
 #include "report/sample_record.h"
+#include "report/terminal_report.h"
 #include "support/lines.h"
 
 namespace gnomon::report {

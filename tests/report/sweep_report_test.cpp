@@ -8,15 +8,15 @@
 #include <sstream>
 
 #include "common/error.h"
-#include "report/json/ranking_json.h"
-#include "report/page/sweep_html.h"
-#include "report/page/terminal_report.h"
-#include "report/plots/sweep_plots.h"
+#include "report/json/results_json.h"
+#include "report/page/overview_html.h"
+#include "report/plots/study_plots.h"
 #include "report/sample_record.h"
-#include "report/tables/formats/text_formats.h"
 #include "report/tables/ranked_table.h"
 #include "report/tables/sweep_tables.h"
-#include "report/text/text_width.h"
+#include "report/tables/table.h"
+#include "report/terminal_page.h"
+#include "report/terminal_report.h"
 #include "study/judge/gates.h"
 #include "study/judge/ranking.h"
 

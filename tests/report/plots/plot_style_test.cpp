@@ -16,7 +16,6 @@
 
 #include "render/method.h"
 #include "report/plots/gnuplot.h"
-#include "report/plotted_methods.h"
 #include "report/sample_record.h"
 
 namespace gnomon::report {

@@ -1,12 +1,8 @@
 #include "report/page/picture_html.h"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -14,15 +10,13 @@
 #include "common/files/atomic_file.h"
 #include "common/lists.h"
 #include "compare/counts.h"
-#include "image/image_file.h"
 #include "image/images.h"
 #include "image/mask_picture.h"
-#include "report/plotted_methods.h"
-#include "report/text/glossary.h"
+#include "report/plots/line_plot.h"
+#include "report/text/html.h"
 #include "report/text/number_text.h"
 #include "study/judge/study_means.h"
 #include "study/record/cases.h"
-#include "study/run/stages/truth_pictures.h"
 
 namespace gnomon::report {
 namespace {
@@ -268,183 +262,6 @@ Html differenceProperties() {
               cssColour(image::DifferenceColours::falseLight),
               cssColour(image::DifferenceColours::bothLit),
               cssColour(image::DifferenceColours::bothShadowed));
-}
-
-// ---- the worst places
-
-namespace {
-
-using PictureKind = study::PictureRecord::Kind;
-
-const study::PictureRecord* pictureOfKind(const study::PanelRecord& panel,
-                                          const std::string& method,
-                                          PictureKind kind = PictureKind::shaded) {
-  const auto found = std::find_if(panel.pictures.begin(), panel.pictures.end(),
-                                  [&](const study::PictureRecord& picture) {
-                                    return picture.method == method && picture.kind == kind;
-                                  });
-  return found == panel.pictures.end() ? nullptr : &*found;
-}
-
-/// The panel in which a method's error is largest; null without any.
-const study::PanelRecord* worstPanel(const study::StudyRecord& record, const std::string& method) {
-  const study::PanelRecord* worst = nullptr;
-  double largest = -1;
-  for (const study::PanelRecord& panel : record.panels) {
-    if (pictureOfKind(panel, method) == nullptr) continue;
-    const auto error = study::rateOf(record, method, {panel.view, panel.light},
-                                     study::Answer::drawn, compare::metrics::errorRate);
-    if (error.value_or(-1) <= largest) continue;
-    largest = *error;
-    worst = &panel;
-  }
-  return worst;
-}
-
-/// How wrong a square is: "1 203 of 4 096 pixels wrong"; under a light with a disc the mean of
-/// |ΔV|.
-std::string errorText(const study::WorstPlace& place, bool isSoft) {
-  const double pixels = static_cast<double>(place.side) * place.side;
-  if (isSoft) return fmt::format("mean |ΔV| {}\u202f%", percentText(place.error / pixels));
-  return fmt::format("{} of {} pixels wrong", groupedText(static_cast<std::uint64_t>(place.error)),
-                     groupedText(static_cast<std::uint64_t>(pixels)));
-}
-
-/// A square of a picture's file.
-class PictureSquare {
- public:
-  explicit PictureSquare(const fs::path& file) {
-    image::ImageFile picture(file);
-    const image::ImageWindow window = picture.facts().display;
-    image_ = {window.width, window.height, {}};
-    constexpr int channels = 3;
-    image_.rgb.resize(static_cast<std::size_t>(window.width) *
-                      static_cast<std::size_t>(window.height) * channels);
-    picture.readPlaced(0, channels, [&](const float* values, int column, int row, int count) {
-      for (int i = 0; i < count * channels; ++i) {
-        image_.rgb[placeOf(column, row) + static_cast<std::size_t>(i)] =
-            static_cast<std::uint8_t>(std::lround(255 * values[i]));
-      }
-    });
-  }
-
-  /// As the address of an image; nothing where the square does not lie in the picture.
-  [[nodiscard]] Html address(const study::WorstPlace& place) const {
-    if (place.left + place.side > image_.width || place.top + place.side > image_.height) return {};
-    image::Image square{place.side, place.side, {}};
-    for (int row = 0; row < place.side; ++row) {
-      const auto from =
-          image_.rgb.begin() + static_cast<std::ptrdiff_t>(placeOf(place.left, place.top + row));
-      square.rgb.insert(square.rgb.end(), from, from + 3 * static_cast<std::ptrdiff_t>(place.side));
-    }
-    return pictureAddress("image/png", image::pngOf(square));
-  }
-
- private:
-  [[nodiscard]] std::size_t placeOf(int column, int row) const {
-    return 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) +
-                static_cast<std::size_t>(column));
-  }
-
-  image::Image image_;
-};
-
-Html tileHtml(std::string_view about, const Html& address) {
-  return html("<img alt=\"{}\" src=\"{}\">", about, address);
-}
-
-/// A method's worst places, the worst first.
-struct WorstOf {
-  std::string method;
-  const study::PanelRecord* panel = nullptr;
-  const std::vector<study::WorstPlace>* places = nullptr;
-  std::vector<std::string> alike = {};  ///< methods that err at the same places
-};
-
-bool overlap(const study::WorstPlace& a, const study::WorstPlace& b) {
-  const int across = std::max(0, a.side - std::abs(a.left - b.left));
-  const int down = std::max(0, a.side - std::abs(a.top - b.top));
-  return 2 * across * down > a.side * a.side;
-}
-
-/// Whether the places of two methods are the same by more than half.
-bool areAlike(const WorstOf& a, const WorstOf& b) {
-  return a.panel == b.panel && std::equal(a.places->begin(), a.places->end(), b.places->begin(),
-                                          b.places->end(), overlap);
-}
-
-std::vector<WorstOf> worstPlaces(const study::StudyRecord& record,
-                                 const std::vector<std::string>& methods) {
-  std::vector<WorstOf> all;
-  for (const std::string& method : methods) {
-    WorstOf own{method, worstPanel(record, method)};
-    if (own.panel == nullptr) continue;
-    own.places = &pictureOfKind(*own.panel, method)->worst;
-    if (own.places->empty()) continue;
-    const auto same = std::find_if(all.begin(), all.end(),
-                                   [&](const WorstOf& other) { return areAlike(own, other); });
-    if (same == all.end()) {
-      all.push_back(std::move(own));
-    } else {
-      same->alike.push_back(method);
-    }
-  }
-  return all;
-}
-
-/// The worst place, or the others.
-Html placesHtml(const study::StudyRecord& record, const WorstOf& worst, bool isFirst,
-                const fs::path& folder) {
-  const auto* row =
-      study::findResult(record, worst.method, {worst.panel->view, worst.panel->light});
-  const bool isSoftRow = row != nullptr && !row->shares.empty();
-  const study::PictureRecord* difference =
-      pictureOfKind(*worst.panel, worst.method, PictureKind::difference);
-  std::optional<PictureSquare> signedPicture;
-  if (difference != nullptr) signedPicture.emplace(folder / difference->path);
-  const std::string panel = record.panels.size() > 1
-                                ? fmt::format("{} · {}, ", worst.panel->view, worst.panel->light)
-                                : "";
-  const std::string alike =
-      worst.alike.empty() ? "" : fmt::format(". Also {}", fmt::join(worst.alike, ", "));
-  Html content;
-  for (std::size_t i = isFirst ? 0 : 1; i < (isFirst ? 1 : worst.places->size()); ++i) {
-    const study::WorstPlace& place = worst.places->at(i);
-    const Html signedTile = signedPicture ? signedPicture->address(place) : Html();
-    content += html(
-        "<figure><div class=\"tiles\">{}{}{}</div><figcaption><b>{}</b> {} <small>{}at {}, {}{}"
-        "</small></figcaption></figure>\n",
-        tileHtml(worst.method, pictureAddress("image/webp", place.answer)),
-        tileHtml("the truth", pictureAddress("image/webp", place.truth)),
-        signedTile.empty() ? Html() : tileHtml("the difference", signedTile), worst.method,
-        errorText(place, isSoftRow), panel, place.left, place.top, alike);
-  }
-  return content;
-}
-
-}  // namespace
-
-PageSection worstSection(const study::StudyRecord& record, const fs::path& folder) {
-  const std::vector<WorstOf> worst = worstPlaces(record, plottedMethods(study::studyMeans(record)));
-  if (worst.empty()) return {};
-  Html first;
-  Html others;
-  for (const WorstOf& one : worst) {
-    first += placesHtml(record, one, true, folder);
-    others += placesHtml(record, one, false, folder);
-  }
-  const auto list = [](const Html& figures) {
-    return figures.empty() ? figures : html("<div class=\"worst\">\n{}</div>\n", figures);
-  };
-  return {
-      "worst", "Where each method is wrong",
-      html("<p class=\"note\">The square of {} × {} pixels with the largest error, enlarged: the "
-           "method, the truth, and the difference: <i class=\"chip shadow\"></i> {}, <i "
-           "class=\"chip light\"></i> {}. A method that draws its own mesh is shown as a mask: "
-           "white is lit.</p>\n{}{}",
-           study::worstPlaceSide, study::worstPlaceSide, htmlTerm("false shadow"),
-           htmlTerm("false light"), list(first),
-           htmlFold("The next worst squares of each method", list(others)))};
 }
 
 }  // namespace gnomon::report

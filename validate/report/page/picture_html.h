@@ -31,13 +31,6 @@ Html panelFigures(const study::StudyRecord& record, const study::PanelRecord& pa
 /// The comparison of any two of these pictures.
 PageSection viewerSection();
 
-/// The section of the places where methods err most: of each shown method those that its picture
-/// records, in the view and under the light where its error is largest, each beside the truth and
-/// the difference from it; the worst one of each method is seen at once. A method that gives the
-/// same answers there as one before it is only named. Nothing without an error.
-/// @throws InputError if a difference cannot be read
-PageSection worstSection(const study::StudyRecord& record, const std::filesystem::path& folder);
-
 /// A picture's file as an address that a page embeds, byte for byte.
 /// @throws InputError if it cannot be read, InternalError if it is no PNG
 Html pngAddress(const std::filesystem::path& path);

@@ -1,16 +1,43 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "report/page/html_page.h"
-#include "report/plots/drawn_plots.h"
+#include "report/plots/gnuplot.h"
 #include "report/tables/table.h"
 #include "report/text/html.h"
+#include "study/judge/ranking.h"
 #include "study/record/record.h"
 
 namespace gnomon::report {
+
+/// How a study's page opens: its title, the question, the answer in a sentence or two, whether it
+/// passed, and the pictures of `openingFigures`.
+Html openingHtml(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked);
+
+/// "it is wrong at 1.2 % of the samples", or of a soft light "its share of the light is off by 1.2
+/// %".
+Html errorHtml(bool isSoft, std::optional<double> errorRate);
+
+/// A picture of the opening.
+struct OpeningFigure {
+  std::string method;  ///< a label, or "truth"
+  std::string role;    ///< "flat horizon map", "claimed and best"
+};
+
+/// At most four, of the first panel, in this order; a method of two roles stands once, one without
+/// a picture there does not:
+///   flat     the method that costs are compared with, costReference
+///   claimed  the first method that a claim is about and that is neither flat nor the control
+///            `unshadowed`
+///   best     the first of the ranking that is not the control
+///   truth
+std::vector<OpeningFigure> openingFigures(const study::StudyRecord& record,
+                                          const std::vector<study::RankedMethod>& ranked);
 
 /// A run as one page that needs nothing beside it: style and pictures are inside, and its own
 /// content policy forbids it to load anything. Of many cases the pictures have pages of their own
@@ -31,14 +58,5 @@ PageSection confidenceSection(const study::StudyRecord& record);
 /// Its section "Where the error comes from": the plots and tables of the study's error budgets, all
 /// lights together, then folded away each light; nothing, if it has none.
 PageSection budgetSection(const study::StudyRecord& record);
-
-/// Tables of a run itself.
-
-/// The truth's uncertainty in each view under each light.
-Table flipTable(const std::vector<study::UncertaintyRecord>& flips);
-/// The time of each stage, seconds.
-Table timingTable(const std::vector<study::TimingRecord>& timings);
-/// Each file that the run was made of.
-Table inputTable(const std::vector<study::InputRecord>& inputs);
 
 }  // namespace gnomon::report

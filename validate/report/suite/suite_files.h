@@ -1,19 +1,37 @@
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "report/paper/paper_options.h"
-#include "report/plots/drawn_plots.h"
+#include "report/plots/gnuplot.h"
 #include "report/run_folder.h"
+#include "report/tables/latex_table.h"
 #include "report/tables/table.h"
 #include "report/text/html.h"
+#include "study/judge/study_means.h"
 #include "study/judge/suite/chosen_settings.h"
 #include "study/judge/suite/suite_statistics.h"
 
 namespace gnomon::report {
+
+/// A scene of a suite that an earlier run measured.
+struct FinishedScene {
+  std::filesystem::path folder;  ///< of its run
+  study::StudyMeans means;
+};
+
+/// Reads the scenes of a folder of results from the summaries that finished runs left in it: in its
+/// own, or in those of its subfolders, by name. Runs of studies that were not drawn for a suite,
+/// sweeps, and runs that were not finished are left out.
+/// @throws InputError where the folder cannot be read, or a summary is damaged
+std::vector<FinishedScene> readFinishedScenes(const std::filesystem::path& folder);
+
+/// The ranking that a suite.json holds.
+/// @throws InputError where it cannot be read or is damaged
+study::SuiteRanking readSuiteRanking(const std::filesystem::path& file);
 
 /// Writes what the studies of one suite come to, beside their folders: suite.csv, suite.md,
 /// suite.html, its plots as plots/suite-*.svg and .pdf, and what papers take (paper_files.h).

@@ -9,10 +9,9 @@
 
 #include "common/lists.h"
 #include "report/plots/line_plot.h"
-#include "report/text/confidence_text.h"
-#include "report/text/gate_text.h"
+#include "report/tables/confidence.h"
 #include "report/text/number_text.h"
-#include "report/text/ranking_text.h"
+#include "report/text/verdict_text.h"
 #include "study/judge/distinguish.h"
 #include "study/record/result_metrics.h"
 
@@ -323,42 +322,6 @@ std::vector<Table> binErrorTables(const study::StudyRecord& record) {
 
 namespace {
 
-Row confidenceRow(const study::StudyRecord& record, const study::ConfidenceRecord& row,
-                  const std::string& best) {
-  Row cells{{textCell(row.method), valueCell(row.rate), intervalCell(row.interval, row.reason)}};
-  const auto worse = study::differenceOf(record, row.view, row.light, row.method, best);
-  if (row.method == best || !worse) {
-    cells.cells.push_back(textCell(""));
-    cells.cells.push_back(textCell(""));
-    return cells;
-  }
-  cells.cells.push_back(valueCell(worse->difference));
-  cells.cells.push_back(intervalCell(worse->interval, worse->reason));
-  cells.mark = differenceSign(worse->verdict);
-  return cells;
-}
-
-}  // namespace
-
-Table confidenceTable(const study::StudyRecord& record, const std::string& view) {
-  using Q = Quantity;
-  Table table{.kind = "confidence",
-              .columns = {{"Method", "method", Q::name},
-                          {"Error", "error_rate", Q::percent},
-                          {"95 %", "", Q::interval},
-                          {"To best", "to_best", Q::signedPercent},
-                          {"95 %", "to_best", Q::interval}}};
-  table.columns[0].width = 44;
-  const std::vector<study::ConfidenceRecord> ranked = rankedIn(record, view);
-  for (const study::ConfidenceRecord& row : ranked) {
-    table.rows.push_back(confidenceRow(record, row, ranked.front().method));
-  }
-  table.notes = noIntervalNotes(differencesToBest(record, view));
-  return table;
-}
-
-namespace {
-
 Cell verdictCell(const study::Judgement& judgement) {
   Cell cell = textCell(gateVerdictName(judgement.verdict));
   cell.emphasis = judgement.isFault() ? Emphasis::bad : Emphasis::good;
@@ -407,6 +370,37 @@ Table gateTable(std::span<const study::Judgement> judgements) {
           textCell(gate.region), textCell(std::string(gate.metric.name())),
           gateValueCell(committed, ""), gateValueCell(judgement.value, judgement.reason),
           changeCell(judgement, committed), textCell(limitText(gate))}});
+  }
+  return table;
+}
+
+Table flipTable(const std::vector<study::UncertaintyRecord>& flips) {
+  Table table{.kind = "flips",
+              .columns = {{"View", "view"},
+                          {"Light", "light"},
+                          {"Samples that change", "flip_rate", Quantity::percent}}};
+  for (const study::UncertaintyRecord& flip : flips) {
+    table.rows.push_back({{textCell(flip.view), textCell(flip.light), valueCell(flip.flipRate)}});
+  }
+  return table;
+}
+
+Table timingTable(const std::vector<study::TimingRecord>& timings) {
+  Table table{.kind = "timings",
+              .columns = {{"Stage", "stage"}, {"Seconds", "seconds", Quantity::decimals}}};
+  for (const study::TimingRecord& timing : timings) {
+    table.rows.push_back({{textCell(timing.stage), valueCell(timing.seconds)}});
+  }
+  return table;
+}
+
+Table inputTable(const std::vector<study::InputRecord>& inputs) {
+  Table table{
+      .kind = "inputs",
+      .columns = {{"Kind", "kind"}, {"File", "file"}, {"SHA-256", "sha256", Quantity::code}}};
+  for (const study::InputRecord& input : inputs) {
+    table.rows.push_back({{textCell(std::string(inputKindName(input.kind))), textCell(input.file),
+                           textCell(input.sha256)}});
   }
   return table;
 }
