@@ -9,6 +9,7 @@ namespace gnomon::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 TEST_F(ReportPage, LoadsFromDiskWithoutErrorOrRequest) {
@@ -17,7 +18,7 @@ TEST_F(ReportPage, LoadsFromDiskWithoutErrorOrRequest) {
   settle(browser);
   EXPECT_EQ(browser.complaints(), noComplaints);
   EXPECT_EQ(browser.requests(), std::vector<std::string>{"file://" + page().string()});
-  EXPECT_FALSE(browser.evaluate("document.querySelector('#compare').hidden"));
+  EXPECT_FALSE(browser.evaluate("document.querySelector('.viewer').hidden"));
   EXPECT_EQ(browser.evaluate("[...document.images].filter((i) => !i.hasAttribute('alt')).length"),
             0);
   EXPECT_EQ(browser.evaluate("[...document.querySelectorAll('figure img')]"
@@ -110,6 +111,9 @@ TEST_F(ReportPage, DifferenceIsTheErrorThatTheSummaryHas) {
         << method;
     EXPECT_GT(row.at("error_rate"), 0.001) << "there is something to see";
   };
+  EXPECT_THAT(text(browser, "#viewer-status"), HasSubstr("(d) truth")) << "beside the best method";
+  EXPECT_THAT(text(browser, ".tip.a"), Not(HasSubstr("unshadowed")));
+  change(browser, "a", "0");
   press(browser, "d");
   expectShares("evening", "unshadowed");
   press(browser, "a");
@@ -146,12 +150,12 @@ TEST_F(ReportPage, ZoomsAndPansBothPictures) {
   EXPECT_NE(right, nearer);
   press(browser, "ArrowLeft");
   EXPECT_EQ(picture(), nearer);
-  browser.pressMouse(500, 600);
-  browser.moveMouse(440, 600);
-  browser.releaseMouse(440, 600);
+  browser.pressMouse(560, 300);
+  browser.moveMouse(500, 300);
+  browser.releaseMouse(500, 300);
   settle(browser);
   EXPECT_NE(picture(), nearer);
-  browser.wheel(500, 500, -400);
+  browser.wheel(560, 300, -400);
   settle(browser);
   EXPECT_EQ(zoom(), "4.1×");
   press(browser, "0");
@@ -179,7 +183,9 @@ TEST_F(ReportPage, OpensAndClosesTheMeaningOfAWord) {
         expression + "; })()");
   };
   EXPECT_EQ(open(), nlohmann::json::array());
-  EXPECT_GT(meaning("box.height"), 20) << "at rest it stands in the list at the page's end";
+  EXPECT_EQ(meaning("box.height"), 0) << "at rest the list at the page's end is folded";
+  browser.evaluate("document.querySelector('.index').open = true");
+  EXPECT_GT(meaning("box.height"), 20);
   EXPECT_GT(meaning("box.top"), 2000);
   browser.evaluate("document.querySelector('.term').focus()");
   browser.call("Input.dispatchKeyEvent", {{"type", "keyDown"},
@@ -210,6 +216,7 @@ TEST_F(ReportPage, WordsStandOutInLightAndDark) {
     browser.open(page());
     settle(browser);
     const nlohmann::json weak = browser.evaluate(R"((() => {
+      document.querySelectorAll('details').forEach((fold) => { fold.open = true; });
       const rgba = (text) => { const n = text.match(/[\d.]+/g).map(Number);
                                return n.length > 3 ? n : [...n, 1]; };
       const over = (a, b) => [0, 1, 2].map((i) => a[3] * a[i] + (1 - a[3]) * b[i]);
@@ -233,6 +240,46 @@ TEST_F(ReportPage, WordsStandOutInLightAndDark) {
     })())");
     EXPECT_EQ(weak, nlohmann::json::array()) << scheme;
   }
+}
+
+/// The best method, how sure that is, where it errs and what it costs stand before the third
+/// screen.
+TEST_F(ReportPage, AnswersFirst) {
+  Browser browser(folder());
+  browser.open(page(), 1280, 800);
+  settle(browser);
+  for (const char* id : {"ranking", "worst"}) {
+    EXPECT_LT(browser.evaluate(std::string("document.getElementById('") + id +
+                               "').getBoundingClientRect().top"),
+              1600)
+        << id;
+  }
+  EXPECT_EQ(browser.evaluate("document.querySelectorAll('table.ranking').length"), 1);
+  EXPECT_EQ(browser.evaluate("[...document.querySelectorAll('nav.contents a')].filter((a) => "
+                             "!document.querySelector(a.getAttribute('href'))).length"),
+            0);
+}
+
+TEST_F(ReportPage, ALinkOpensTheFoldThatItLeadsTo) {
+  Browser browser(folder());
+  browser.open(page());
+  settle(browser);
+  const auto isOpen = [&](const std::string& selector) {
+    return browser.evaluate("document.querySelector('" + selector + "').open");
+  };
+  EXPECT_FALSE(isOpen("#truth > details"));
+  browser.evaluate("document.querySelector('nav.contents a[href=\"#truth\"]').click()");
+  browser.evaluate("new Promise((resolve) => setTimeout(resolve, 50))");
+  EXPECT_TRUE(isOpen("#truth > details"));
+  // Into a fold, and after it was closed once more.
+  const char* link = "document.querySelector('#heat a[href=\"#case-2\"]').click()";
+  for (int i = 0; i < 2; ++i) {
+    browser.evaluate("document.querySelector('#case-2').closest('details').open = false");
+    browser.evaluate(link);
+    browser.evaluate("new Promise((resolve) => setTimeout(resolve, 50))");
+    EXPECT_TRUE(browser.evaluate("document.querySelector('#case-2').closest('details').open"));
+  }
+  EXPECT_EQ(browser.complaints(), noComplaints);
 }
 
 TEST_F(ReportPage, FitsAPhoneAndPaper) {

@@ -16,7 +16,7 @@
 #include "image/images.h"
 #include "image/mask_picture.h"
 #include "render/method.h"
-#include "report/json/baseline_json.h"
+#include "report/json/results_json.h"
 #include "study/spec/study_file.h"
 #include "support/temporary_folder.h"
 #include "support/test_length.h"

@@ -3,7 +3,7 @@
 
 #include "common/files/atomic_file.h"
 #include "fuzz/reader_fuzz.h"
-#include "report/json/baseline_json.h"
+#include "report/json/results_json.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gnomon;

@@ -6,11 +6,10 @@
 
 #include "common/error.h"
 #include "image/images.h"
-#include "report/ci/job_summary.h"
-#include "report/ci/junit.h"
-#include "report/ci/terminal_check.h"
+#include "report/build_server.h"
 #include "report/sample_check.h"
-#include "report/text/text_width.h"
+#include "report/terminal_page.h"
+#include "report/terminal_report.h"
 #include "support/lines.h"
 #include "support/temporary_folder.h"
 

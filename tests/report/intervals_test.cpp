@@ -9,17 +9,16 @@
 
 #include "common/error.h"
 #include "report/json/summary_json.h"
+#include "report/page/html_page.h"
 #include "report/page/report_html.h"
-#include "report/page/terminal_report.h"
 #include "report/sample_record.h"
-#include "report/tables/budget_table.h"
 #include "report/tables/case_tables.h"
-#include "report/tables/formats/html_format.h"
-#include "report/tables/formats/latex_format.h"
-#include "report/tables/formats/text_formats.h"
+#include "report/tables/confidence.h"
+#include "report/tables/latex_table.h"
 #include "report/tables/ranked_table.h"
-#include "report/text/confidence_text.h"
-#include "report/text/text_width.h"
+#include "report/tables/table.h"
+#include "report/terminal_page.h"
+#include "report/terminal_report.h"
 
 // An error budget in every kind of report.
 // Confidence, differences and bins in every kind of report.

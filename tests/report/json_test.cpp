@@ -7,11 +7,11 @@
 #include <sstream>
 
 #include "common/error.h"
-#include "report/json/baseline_json.h"
 #include "report/json/mask_comparison.h"
+#include "report/json/results_json.h"
 #include "report/json/summary_json.h"
 #include "report/sample_record.h"
-#include "report/text/text_width.h"
+#include "report/terminal_page.h"
 #include "study/judge/baseline.h"
 #include "study/judge/gates.h"
 #include "study/record/result_metrics.h"

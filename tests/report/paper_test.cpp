@@ -3,12 +3,10 @@
 #include <map>
 #include <regex>
 
-#include "report/paper/paper_files.h"
-#include "report/paper/paper_table.h"
+#include "report/paper_files.h"
 #include "report/sample_record.h"
-#include "report/tables/formats/latex_format.h"
+#include "report/tables/latex_table.h"
 #include "report/tables/ranked_table.h"
-#include "report/text/latex_text.h"
 #include "report/text/number_text.h"
 #include "study/judge/ranking.h"
 

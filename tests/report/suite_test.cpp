@@ -7,11 +7,11 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "report/plotted_methods.h"
+#include "report/plots/line_plot.h"
 #include "report/suite/suite_files.h"
 #include "report/suite/suite_plots.h"
 #include "report/suite/suite_tables.h"
-#include "report/tables/formats/text_formats.h"
+#include "report/tables/table.h"
 #include "report/text/number_text.h"
 #include "study/judge/suite/suite_studies.h"
 #include "support/error_messages.h"

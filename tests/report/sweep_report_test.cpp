@@ -8,15 +8,15 @@
 #include <sstream>
 
 #include "common/error.h"
-#include "report/json/ranking_json.h"
-#include "report/page/sweep_html.h"
-#include "report/page/terminal_report.h"
-#include "report/plots/sweep_plots.h"
+#include "report/json/results_json.h"
+#include "report/page/overview_html.h"
+#include "report/plots/study_plots.h"
 #include "report/sample_record.h"
-#include "report/tables/formats/text_formats.h"
 #include "report/tables/ranked_table.h"
 #include "report/tables/sweep_tables.h"
-#include "report/text/text_width.h"
+#include "report/tables/table.h"
+#include "report/terminal_page.h"
+#include "report/terminal_report.h"
 #include "study/judge/gates.h"
 #include "study/judge/ranking.h"
 
@@ -276,9 +276,9 @@ TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
   const std::string html = sweepHtml(sweep, plots).text();
   for (const char* part :
        {"<h1>Bumps &amp; &lt;dents&gt;</h1>", "width=\"1000\" height=\"560\"",
-        "width=\"640\" height=\"560\"", "<h3>Time &amp; money</h3>", "href=\"0.25/report.html\"",
-        ">8.00</td>", "The gain &lt;grows&gt;", "1 of 2 thresholds met",
-        "<h3>surface.curvature = 1</h3>", "--heat:1.000"}) {
+        "width=\"640\" height=\"560\"", "Time &amp; money</figcaption>",
+        "href=\"0.25/report.html\"", ">8.00</td>", "The gain &lt;grows&gt;",
+        "1 of 2 thresholds met", "<h3>surface.curvature = 1</h3>", "--heat:1.000"}) {
     EXPECT_THAT(html, HasSubstr(part));
   }
   EXPECT_THAT(html, Not(HasSubstr("<h3>surface.curvature = 0.5</h3>"))) << "its gate was met";

@@ -9,7 +9,7 @@
 #include "cli/study_plans.h"
 #include "common/text/words.h"
 #include "render/gl_context.h"
-#include "report/text/gate_text.h"
+#include "report/text/verdict_text.h"
 #include "study/record/gate.h"
 
 namespace gnomon {

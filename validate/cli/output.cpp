@@ -18,7 +18,7 @@
 
 #include "common/progress.h"
 #include "common/text/words.h"
-#include "report/ci/job_summary.h"
+#include "report/build_server.h"
 
 namespace gnomon::cli {
 

@@ -8,8 +8,8 @@
 #include "cli/commands/cache_command.h"
 #include "cli/output.h"
 #include "cli/plan_runs.h"
-#include "report/page/terminal_report.h"
 #include "report/plots/gnuplot.h"
+#include "report/terminal_report.h"
 
 namespace gnomon::cli {
 

@@ -12,7 +12,7 @@
 
 #include "cache/cache.h"
 #include "common/files/part_file.h"
-#include "report/paper/paper_options.h"
+#include "report/tables/latex_table.h"
 #include "study/record/record.h"
 #include "study/record/sweep_record.h"
 #include "study/run/stages/run_writer.h"

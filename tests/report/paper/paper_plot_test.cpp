@@ -1,4 +1,4 @@
-#include "report/paper/paper_files.h"
+#include "report/paper_files.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>

@@ -16,7 +16,6 @@
 
 #include "render/method.h"
 #include "report/plots/gnuplot.h"
-#include "report/plotted_methods.h"
 #include "report/sample_record.h"
 
 namespace gnomon::report {
@@ -196,6 +195,30 @@ TEST(PlotStyle, VariantsKeepTheColourAndDifferInSymbolAndDashes) {
     looks.emplace(variant.point, variant.dash);
   }
   EXPECT_THAT(looks, SizeIs(5));
+}
+
+TEST(PlotStyle, NoTwoMethodsOfAPlotLookTheSame) {
+  study::StudyMeans study;
+  std::vector<std::string> shown;
+  for (int i = 0; i < 7; ++i) {
+    // Variants, whose looks follow from a hash of their labels: some are alike.
+    study.methods.push_back({fmt::format("m, {}", i), "m", 0.01, {}, {}, {}});
+    study.methods.back().mark = {"ours", "square"};
+    shown.push_back(study.methods.back().label);
+  }
+  const MethodStyles styles(study, shown);
+  std::set<std::string> symbols;
+  std::set<std::string> dashes;
+  for (const std::string& label : shown) {
+    const std::string style = styles.of(label);
+    symbols.insert(style.substr(style.find(" pt "), 6));
+    dashes.insert(style.substr(style.find(" dt ")));
+  }
+  EXPECT_THAT(symbols, SizeIs(6)) << "all that gnuplot has outlined";
+  EXPECT_THAT(dashes, SizeIs(5));
+  // Alone, a method looks as it always does.
+  const std::string own = styleClause(methodStyle("m", "m, 3", {"ours", "square"}));
+  EXPECT_EQ(MethodStyles(study, {"m, 3"}).of("m, 3"), own);
 }
 
 /// Fixed here, since a report of another day must look the same.

@@ -78,7 +78,8 @@ TEST(StudyPlots, AreDrawnInTheStyleOfADarkPageToo) {
     EXPECT_FALSE(plot.sheet.about.empty());
     EXPECT_THAT(plot.svg, HasSubstr("<style>@media screen and (prefers-color-scheme:dark)"));
     EXPECT_THAT(plot.pdf, StartsWith("%PDF-"));
-    EXPECT_THAT(htmlPlot(plot).text(), HasSubstr("src=\"data:image/svg+xml;base64,"));
+    EXPECT_THAT(htmlPlots({&plot, 1}, plot.sheet.section).text(),
+                HasSubstr("src=\"data:image/svg+xml;base64,"));
   }
   EXPECT_TRUE(studyPlots(study::StudyRecord{}, {}).empty());
 }

@@ -1,4 +1,4 @@
-#include "report/plots/sweep_plots.h"
+#include "report/plots/study_plots.h"
 
 #include <gmock/gmock.h>
 

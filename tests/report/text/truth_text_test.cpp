@@ -1,4 +1,4 @@
-#include "report/text/confidence_text.h"
+#include "report/tables/confidence.h"
 
 #include <gtest/gtest.h>
 

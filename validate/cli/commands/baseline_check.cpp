@@ -11,8 +11,8 @@
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
 #include "common/lists.h"
-#include "report/ci/junit.h"
-#include "report/json/baseline_json.h"
+#include "report/build_server.h"
+#include "report/json/results_json.h"
 
 namespace gnomon::cli {
 

@@ -13,12 +13,11 @@
 #include "cli/output.h"
 #include "common/lists.h"
 #include "compare/scenes/resampled_mean.h"
-#include "report/json/ranking_json.h"
+#include "report/json/results_json.h"
 #include "report/run_folder.h"
 #include "report/suite/entry_report.h"
-#include "report/suite/finished_scenes.h"
 #include "report/suite/suite_files.h"
-#include "report/tables/formats/terminal_format.h"
+#include "report/terminal_page.h"
 #include "study/judge/suite/standings.h"
 #include "study/spec/suite/drawn_suite.h"
 
@@ -241,10 +240,10 @@ ExitStatus rankEntries(const RankRequest& request) {
   requirePaperMethods(request.paper, entries.labels);
   folder.clear();
   std::vector<report::EntryReport> reports;
-  report::Html opening;
+  std::vector<report::PageSection> opening;
   for (const std::string& entry : entries.labels) {
     reports.push_back(report::entryReport(statistics, entry, familiesOf(drawn)));
-    opening += report::entrySection(reports.back());
+    opening.push_back(report::entrySection(reports.back()));
   }
   report::writeSuiteFiles(statistics, scenes, request.command, request.paper, folder, opening);
   folder.finish(report::suiteJson(statistics, request.command));

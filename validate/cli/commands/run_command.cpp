@@ -16,7 +16,7 @@
 #include "common/lists.h"
 #include "common/system/memory.h"
 #include "horizon/table_file.h"
-#include "report/paper/paper_table.h"
+#include "report/paper_files.h"
 #include "study/run/run_study.h"
 
 namespace gnomon::cli {

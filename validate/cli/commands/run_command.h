@@ -9,7 +9,7 @@
 
 #include "cli/shards/shard.h"
 #include "common/error.h"
-#include "report/paper/paper_options.h"
+#include "report/tables/latex_table.h"
 #include "study/run/scene/environment.h"
 #include "study/spec/study_file.h"
 #include "study/spec/sweep/sweep.h"

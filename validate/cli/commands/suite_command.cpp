@@ -12,10 +12,9 @@
 #include "cli/run_folders.h"
 #include "common/files/atomic_file.h"
 #include "compare/scenes/resampled_mean.h"
-#include "report/json/ranking_json.h"
-#include "report/suite/finished_scenes.h"
+#include "report/json/results_json.h"
 #include "report/suite/suite_files.h"
-#include "report/tables/formats/terminal_format.h"
+#include "report/terminal_page.h"
 #include "study/judge/suite/chosen_settings.h"
 #include "study/spec/suite/drawn_suite.h"
 

@@ -11,8 +11,8 @@
 #include "common/files/atomic_file.h"
 #include "common/lists.h"
 #include "common/text/words.h"
-#include "report/text/gate_text.h"
 #include "report/text/number_text.h"
+#include "report/text/verdict_text.h"
 #include "report/view_images.h"
 
 namespace gnomon::report {

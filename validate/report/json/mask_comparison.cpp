@@ -7,10 +7,9 @@
 #include "common/error.h"
 #include "compare/counts.h"
 #include "compare/metric.h"
-#include "report/tables/formats/terminal_format.h"
-#include "report/text/confidence_text.h"
+#include "report/tables/confidence.h"
+#include "report/terminal_page.h"
 #include "report/text/number_text.h"
-#include "report/text/terminal_page.h"
 
 namespace gnomon::report {
 

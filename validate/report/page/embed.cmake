@@ -1,7 +1,7 @@
 # The page's style, script and markup become strings of the library: a report needs no file beside it.
 
 set(page ${CMAKE_CURRENT_SOURCE_DIR}/page)
-set(page_scripts ${page}/pictures.js ${page}/viewer.js ${page}/controls.js)
+set(page_scripts ${page}/folds.js ${page}/pictures.js ${page}/viewer.js ${page}/controls.js)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   ${page}/report.css ${page}/viewer.html ${page_scripts})
 
@@ -40,16 +40,16 @@ file(READ ${page}/report.css PAGE_STYLE)
 file(READ ${page}/viewer.html VIEWER_MARKUP)
 
 # The scripts as one, and its hash.
-set(VIEWER_SCRIPT "(() => {
+set(PAGE_SCRIPT "(() => {
 'use strict';
 ")
 foreach(file IN LISTS page_scripts)
   file(READ ${file} text)
-  string(APPEND VIEWER_SCRIPT "${text}
+  string(APPEND PAGE_SCRIPT "${text}
 ")
 endforeach()
-string(APPEND VIEWER_SCRIPT "})();
+string(APPEND PAGE_SCRIPT "})();
 ")
-string(SHA256 sha256 "${VIEWER_SCRIPT}")
-base64_of_hex(VIEWER_SCRIPT_HASH ${sha256})
+string(SHA256 sha256 "${PAGE_SCRIPT}")
+base64_of_hex(PAGE_SCRIPT_HASH ${sha256})
 configure_file(${page}/page.cpp.in page.cpp @ONLY)

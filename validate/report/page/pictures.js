@@ -84,6 +84,7 @@ class Scene {
     this.width = Number(panel.dataset.width);
     this.height = Number(panel.dataset.height);
     this.isSoft = panel.dataset.soft !== undefined;
+    this.best = panel.dataset.best;
     this.layers = panel.querySelector('.layers');
     this.pictures = [...panel.querySelectorAll('figure')].flatMap((figure) => this.picturesOf(figure));
     this.kept = new Map();
@@ -96,6 +97,7 @@ class Scene {
     const picture = {letter, name, rate: rate || '', figure, mesh, shaded};
     picture.difference = figure.querySelector('img.difference');
     picture.isTruth = figure.dataset.method === 'truth';
+    picture.isBest = figure.dataset.method === this.best;
     if (mesh === undefined) return whole ? [{...picture, whole}] : [];
     if (!whole) return [picture];
     return [picture, {letter: letter + '′', name: whole.alt, rate: '', figure, whole}];

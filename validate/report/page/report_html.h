@@ -1,22 +1,49 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "report/plots/drawn_plots.h"
+#include "report/page/html_page.h"
+#include "report/plots/gnuplot.h"
 #include "report/tables/table.h"
 #include "report/text/html.h"
+#include "study/judge/ranking.h"
 #include "study/record/record.h"
 
 namespace gnomon::report {
 
+/// How a study's page opens: its title, the question, the answer in a sentence or two, whether it
+/// passed, and the pictures of `openingFigures`.
+Html openingHtml(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked);
+
+/// "it is wrong at 1.2 % of the samples", or of a soft light "its share of the light is off by 1.2
+/// %".
+Html errorHtml(bool isSoft, std::optional<double> errorRate);
+
+/// A picture of the opening.
+struct OpeningFigure {
+  std::string method;  ///< a label, or "truth"
+  std::string role;    ///< "flat horizon map", "claimed and best"
+};
+
+/// At most four, of the first panel, in this order; a method of two roles stands once, one without
+/// a picture there does not:
+///   flat     the method that costs are compared with, costReference
+///   claimed  the first method that a claim is about and that is neither flat nor the control
+///            `unshadowed`
+///   best     the first of the ranking that is not the control
+///   truth
+std::vector<OpeningFigure> openingFigures(const study::StudyRecord& record,
+                                          const std::vector<study::RankedMethod>& ranked);
+
 /// A run as one page that needs nothing beside it: style and pictures are inside, and its own
 /// content policy forbids it to load anything. Of many cases the pictures have pages of their own
-/// (casePages). In the order of a reader's questions: which
-/// method is right (opening, claims, ranking, thresholds), where are they wrong (pictures and
-/// regions a case, worst places), what do they cost, how far can the truth be trusted, how is it
-/// run again, what do the words mean.
+/// (casePages). In the order of a reader's questions: which method is best and how sure that is
+/// (opening, ranking), where methods are wrong, what they cost, whether claims, thresholds and
+/// references hold; then the pictures, and folded all that explains the figures.
 /// @param folder  the run's folder: where the paths of the pictures start
 /// @param plots   embedded, in this order
 /// @throws InputError if a difference or the truth's mask cannot be read, InternalError if it is no
@@ -24,22 +51,12 @@ namespace gnomon::report {
 Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& folder,
                 std::span<const DrawnPlot> plots = {});
 
-/// Its section on intervals: for each view its verdict and a table of its methods, ranked with
-/// their intervals. Empty if the record has no intervals.
-Html confidenceSection(const study::StudyRecord& record);
+/// Its section on intervals, of a study of several views: for each a table of its methods, ranked
+/// with their intervals. Empty of a single view, of which the ranking has them.
+PageSection confidenceSection(const study::StudyRecord& record);
 
 /// Its section "Where the error comes from": the plots and tables of the study's error budgets, all
 /// lights together, then folded away each light; nothing, if it has none.
-/// @param plots  of the run; those of other sections are passed over
-Html budgetSection(const study::StudyRecord& record);
-
-/// Tables of a run itself.
-
-/// The truth's uncertainty in each view under each light.
-Table flipTable(const std::vector<study::UncertaintyRecord>& flips);
-/// The time of each stage, seconds.
-Table timingTable(const std::vector<study::TimingRecord>& timings);
-/// Each file that the run was made of.
-Table inputTable(const std::vector<study::InputRecord>& inputs);
+PageSection budgetSection(const study::StudyRecord& record);
 
 }  // namespace gnomon::report

@@ -21,13 +21,14 @@ class Viewer {
     const option = (text, value) => new Option(text, value);
     this.control('scene').replaceChildren(...this.scenes.map((s, i) => option(s.title, i)));
     this.root.querySelector('.scene').hidden = this.scenes.length < 2;
-    this.root.closest('section').hidden = false;
+    this.root.hidden = false;
     this.toScene(0);
     listen(this);
     new ResizeObserver(() => this.draw()).observe(this.stage);
   }
 
-  /// Shows another scene; A and B stay the pictures of the same names where it has them.
+  /// Shows another scene; A and B stay the pictures of the same names where it has them. At first A
+  /// is the best method, B the truth.
   toScene(index) {
     const names = this.started ? ['a', 'b'].map((side) => this.picture(side).name) : [];
     this.started = true;
@@ -35,7 +36,8 @@ class Viewer {
     const pictures = this.scene.pictures;
     const place = (name) => pictures.findIndex((picture) => picture.name === name);
     const truth = pictures.findIndex((picture) => picture.isTruth);
-    this.state.a = Math.max(0, place(names[0]));
+    const best = pictures.findIndex((picture) => picture.isBest);
+    this.state.a = Math.max(0, place(names[0]) < 0 ? best : place(names[0]));
     this.state.b = Math.max(0, place(names[1]) < 0 ? truth : place(names[1]));
     for (const side of ['a', 'b']) {
       this.control(side).replaceChildren(
@@ -100,7 +102,7 @@ class Viewer {
     this.control('zoom').textContent = `${+state.zoom.toFixed(1)}×`;
     const ratio = (state.mode === 'side' ? 2 : 1) * this.scene.width / this.scene.height;
     this.stage.style.aspectRatio = ratio;
-    this.stage.style.maxWidth = `calc(80vh * ${ratio})`;
+    this.stage.style.maxWidth = `calc(60vh * ${ratio})`;
     this.root.querySelector('.wipe').style.maxWidth = this.stage.style.maxWidth;
     this.root.querySelector('.wipe').hidden = state.mode !== 'wipe';
     this.root.querySelector('.auto').hidden = state.mode !== 'blink';

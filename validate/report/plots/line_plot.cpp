@@ -3,14 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 #include "common/error.h"
+#include "common/lists.h"
 #include "report/plots/gnuplot.h"
+#include "report/tables/cost_table.h"
+#include "report/terminal_page.h"
 #include "report/text/number_text.h"
-#include "report/text/text_width.h"
 #include "study/run/scene/sample_axes.h"
 
 namespace gnomon::report {
@@ -22,6 +25,7 @@ namespace {
 constexpr std::array<int, render::methodSymbols.size()> symbolPoints = {7,  5, 9, 11, 13,
                                                                         15, 1, 2, 3};
 constexpr std::array<int, 6> outlinedPoints = {6, 4, 8, 10, 12, 14};
+constexpr int mostDashes = 5;  ///< of gnuplot's numbers
 
 /// FNV-1a of 32 bits: the same on every machine, so that a label looks the same in every report.
 std::uint32_t hashOf(std::string_view text) {
@@ -71,7 +75,7 @@ MethodStyle methodStyle(const std::string& name, const std::string& label,
     return style;
   }
   const std::uint32_t hash = hashOf(label);
-  constexpr std::uint32_t dashes = 4;
+  constexpr std::uint32_t dashes = mostDashes - 1;
   style.point = outlinedPoints.at(hash % outlinedPoints.size());
   style.dash = 2 + static_cast<int>(hash / outlinedPoints.size() % dashes);
   return style;
@@ -171,17 +175,41 @@ std::string paperCommands(const LinePlot& plot, double fontSize, std::size_t col
          curvesOf(plot);
 }
 
-MethodStyles::MethodStyles(const study::StudyMeans& study) {
+MethodStyles::MethodStyles(const study::StudyMeans& study, const std::vector<std::string>& shown) {
   for (const study::MethodMeans& method : study.methods) {
-    styles_.emplace_back(method.label,
-                         styleClause(methodStyle(method.name, method.label, method.mark)));
+    styles_.emplace_back(method.label, methodStyle(method.name, method.label, method.mark));
   }
+  setApart(shown);
 }
 
-MethodStyles::MethodStyles(const study::SuiteStatistics& statistics) {
+MethodStyles::MethodStyles(const study::SuiteStatistics& statistics,
+                           const std::vector<std::string>& shown) {
   for (const study::SuiteMethod& method : statistics.methods) {
     const std::string& name = method.names.empty() ? method.label : method.names.front();
-    styles_.emplace_back(method.label, styleClause(methodStyle(name, method.label, method.mark)));
+    styles_.emplace_back(method.label, methodStyle(name, method.label, method.mark));
+  }
+  setApart(shown);
+}
+
+void MethodStyles::setApart(const std::vector<std::string>& shown) {
+  std::vector<MethodStyle*> before;
+  for (const std::string& label : shown) {
+    const auto own = std::find_if(styles_.begin(), styles_.end(),
+                                  [&](const auto& style) { return style.first == label; });
+    if (own == styles_.end()) continue;
+    MethodStyle& style = own->second;
+    const auto isTaken = [&](int MethodStyle::*part) {
+      return std::any_of(before.begin(), before.end(), [&](const MethodStyle* other) {
+        return other->family == style.family && other->*part == style.*part;
+      });
+    };
+    for (std::size_t i = 0; i < outlinedPoints.size() && isTaken(&MethodStyle::point); ++i) {
+      style.point = outlinedPoints.at(i);
+    }
+    for (int dash = 1; dash <= mostDashes && isTaken(&MethodStyle::dash); ++dash) {
+      style.dash = dash;
+    }
+    before.push_back(&style);
   }
 }
 
@@ -189,7 +217,7 @@ std::string MethodStyles::of(const std::string& label) const {
   const auto found = std::find_if(styles_.begin(), styles_.end(),
                                   [&](const auto& style) { return style.first == label; });
   if (found == styles_.end()) throw InternalError(fmt::format("no method \"{}\" to draw", label));
-  return found->second;
+  return styleClause(found->second);
 }
 
 std::string shortLegend(const std::string& label) {
@@ -243,6 +271,114 @@ bool isGeometric(const std::vector<double>& places) {
     if (std::abs(places[i] / places[i - 1] / ratio - 1) > 0.01) return false;
   }
   return ratio > 1;
+}
+
+namespace {
+
+std::string nameOf(std::span<const study::MethodMeans> methods, const std::string& label) {
+  for (const study::MethodMeans& method : methods) {
+    if (method.label == label) return method.name;
+  }
+  return label;
+}
+
+/// An entry of a ranking.
+struct Ranked {
+  std::string label, name;
+};
+
+/// Those of the chosen and of the first, in the order of the ranking.
+std::vector<std::string> choose(const std::vector<Ranked>& ranked,
+                                std::vector<std::string> chosen) {
+  std::vector<std::string> names;
+  for (const Ranked& entry : ranked) {
+    if (contains(chosen, entry.label)) appendOnce(names, entry.name);
+  }
+  const std::size_t given = chosen.size();
+  for (const bool isNew : {true, false}) {
+    for (const Ranked& entry : ranked) {
+      if (chosen.size() >= std::max(mostPlotted, given)) break;
+      if (isNew && contains(names, entry.name)) continue;
+      appendOnce(chosen, entry.label);
+      appendOnce(names, entry.name);
+    }
+  }
+  std::vector<std::string> ordered;
+  for (const Ranked& entry : ranked) {
+    if (contains(chosen, entry.label)) ordered.push_back(entry.label);
+  }
+  return ordered;
+}
+
+/// The labels that a report has a method of.
+template <typename Method>
+std::vector<std::string> amongOwn(const std::vector<std::string>& labels,
+                                  const std::vector<Method>& methods) {
+  std::vector<std::string> own;
+  for (const std::string& label : labels) {
+    const bool isOwn = std::any_of(methods.begin(), methods.end(),
+                                   [&](const Method& method) { return method.label == label; });
+    if (isOwn) own.push_back(label);
+  }
+  return own;
+}
+
+}  // namespace
+
+std::optional<std::string> labelOf(std::span<const study::MethodMeans> methods,
+                                   std::string_view name) {
+  std::optional<std::string> first;
+  for (const study::MethodMeans& method : methods) {
+    if (method.name != name) continue;
+    if (method.label == name) return method.label;
+    if (!first) first = method.label;
+  }
+  return first;
+}
+
+std::optional<std::string> bestMethod(const std::vector<study::RankedMethod>& ranked) {
+  for (const study::RankedMethod& method : ranked) {
+    if (method.rank && method.means.name != controlMethod) return method.label;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> claimedMethod(std::span<const study::MethodMeans> methods,
+                                         std::span<const study::ClaimRecord> claims) {
+  for (const study::ClaimRecord& claim : claims) {
+    for (const std::string& label : claim.methods) {
+      const std::string name = nameOf(methods, label);
+      if (name != costReference && name != controlMethod) return label;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> plottedMethods(const study::StudyMeans& study,
+                                        const std::vector<std::string>& wanted) {
+  if (auto own = amongOwn(wanted, study.methods); !own.empty()) return own;
+  std::vector<Ranked> ranked;
+  for (const study::RankedOverStudies& method : study::rankOverStudies(std::array{study})) {
+    ranked.push_back({method.label, nameOf(study.methods, method.label)});
+  }
+  std::vector<std::string> chosen;
+  for (const auto& label :
+       {labelOf(study.methods, costReference), claimedMethod(study.methods, study.claims)}) {
+    if (label) appendOnce(chosen, *label);
+  }
+  return choose(ranked, std::move(chosen));
+}
+
+std::vector<std::string> plottedMethods(const study::SuiteStatistics& statistics,
+                                        const std::vector<std::string>& wanted) {
+  if (auto own = amongOwn(wanted, statistics.methods); !own.empty()) return own;
+  std::vector<Ranked> ranked;
+  std::vector<std::string> chosen;
+  for (const study::SuiteMethod& method : statistics.methods) {
+    ranked.push_back({method.label, method.names.empty() ? method.label : method.names.front()});
+    if (chosen.empty() && contains(method.names, costReference)) chosen.push_back(method.label);
+  }
+  return choose(ranked, std::move(chosen));
 }
 
 }  // namespace gnomon::report

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,7 +11,8 @@
 
 #include "compare/confidence_interval.h"
 #include "render/method.h"
-#include "report/plots/drawn_plots.h"
+#include "report/plots/gnuplot.h"
+#include "study/judge/ranking.h"
 #include "study/judge/study_means.h"
 #include "study/judge/suite/suite_statistics.h"
 
@@ -107,17 +110,22 @@ std::vector<PlotSheet> sheetsOf(const std::vector<LinePlot>& plots);
 /// @param columns   of the legend
 std::string paperCommands(const LinePlot& plot, double fontSize, std::size_t columns);
 
-/// The curve's style of each method of a report, by its label.
+/// The curve's style of each method of a report, by its label: as methodStyle has it; of methods
+/// that one plot shows and that have a colour in common, the later takes a symbol and dashes that
+/// none before it has.
 class MethodStyles {
  public:
   /// @param study  of a run or a sweep
-  explicit MethodStyles(const study::StudyMeans& study);
-  explicit MethodStyles(const study::SuiteStatistics& statistics);
+  /// @param shown  labels of the methods that one plot shows, in the order of its legend
+  MethodStyles(const study::StudyMeans& study, const std::vector<std::string>& shown);
+  MethodStyles(const study::SuiteStatistics& statistics, const std::vector<std::string>& shown);
   /// @throws InternalError for a label that is no method's
   [[nodiscard]] std::string of(const std::string& label) const;
 
  private:
-  std::vector<std::pair<std::string, std::string>> styles_;
+  void setApart(const std::vector<std::string>& shown);
+
+  std::vector<std::pair<std::string, MethodStyle>> styles_;
 };
 
 /// A label as a legend has it, shortened where it is too long.
@@ -142,5 +150,35 @@ std::string axisTitle(std::string_view axis);
 /// Whether each of four or more places is the same multiple of the one before, to a hundredth: they
 /// stand on a logarithmic axis.
 bool isGeometric(const std::vector<double>& places);
+
+/// Bump mapping alone: the method that every other must beat.
+constexpr std::string_view controlMethod = "unshadowed";
+
+/// The label of the method of that name; of several the one without a label of its own.
+std::optional<std::string> labelOf(std::span<const study::MethodMeans> methods,
+                                   std::string_view name);
+
+/// The label of the best method: the first of a ranking that has a rank and is not the control.
+std::optional<std::string> bestMethod(const std::vector<study::RankedMethod>& ranked);
+
+/// The first method that a claim is about and that is neither `costReference` nor the control.
+std::optional<std::string> claimedMethod(std::span<const study::MethodMeans> methods,
+                                         std::span<const study::ClaimRecord> claims);
+
+/// The most methods that a plot shows.
+constexpr std::size_t mostPlotted = 8;
+
+/// The methods that plots show and of which a page shows the worst places, in the order of the
+/// ranking: the flat horizon map (`costReference`), the method that the first claim is about, and
+/// the first of the ranking, `mostPlotted` in all; of a method with several entries the best one,
+/// and more where there is room.
+/// @param study   of a run or a sweep
+/// @param chosen  labels that are shown instead, in their order, where the study has any of them
+std::vector<std::string> plottedMethods(const study::StudyMeans& study,
+                                        const std::vector<std::string>& chosen = {});
+
+/// Likewise of a suite, whose ranking is over its scenes and which claims nothing.
+std::vector<std::string> plottedMethods(const study::SuiteStatistics& statistics,
+                                        const std::vector<std::string>& chosen = {});
 
 }  // namespace gnomon::report

@@ -6,9 +6,7 @@
 #include <utility>
 
 #include "common/lists.h"
-#include "report/page/html_page.h"
 #include "report/suite/suite_tables.h"
-#include "report/tables/formats/html_format.h"
 
 namespace gnomon::report {
 namespace {
@@ -206,13 +204,13 @@ EntryReport entryReport(const study::SuiteStatistics& statistics, const std::str
           worstOf(statistics, entry)};
 }
 
-Html entrySection(const EntryReport& report) {
-  return htmlSection(
+PageSection entrySection(const EntryReport& report) {
+  return {
       "entry-" + report.entry, report.place,
-      html("<p>{} Errors of the other methods are committed ones, on the same scenes.</p>\n"
-           "{}<details>\n<summary>By families of scenes</summary>\n{}</details>\n{}",
-           report.against, htmlTable(report.neighbours), htmlTable(report.families),
-           htmlTable(report.worst)));
+      html("<p>{} Errors of the other methods are committed ones, on the same scenes.</p>\n{}{}{}",
+           report.against, htmlTable(report.neighbours),
+           htmlFold(html("By families of scenes"), htmlTable(report.families)),
+           htmlTable(report.worst))};
 }
 
 }  // namespace gnomon::report

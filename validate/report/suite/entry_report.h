@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "report/page/html_page.h"
 #include "report/tables/table.h"
-#include "report/text/html.h"
+
 #include "study/judge/suite/suite_statistics.h"
 
 namespace gnomon::report {
@@ -29,7 +30,7 @@ EntryReport entryReport(const study::SuiteStatistics& statistics, const std::str
                         const SceneFamilies& families);
 
 /// The same as a section of a page.
-Html entrySection(const EntryReport& report);
+PageSection entrySection(const EntryReport& report);
 
 /// The names of the ten scenes with the entry's largest errors, the worst first.
 std::vector<std::string> worstScenes(const study::SuiteStatistics& statistics,

@@ -3,24 +3,88 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "common/error.h"
 #include "report/json/json_values.h"
+#include "report/json/summary_json.h"
 #include "report/page/html_page.h"
-#include "report/paper/paper_files.h"
+#include "report/paper_files.h"
 #include "report/plots/line_plot.h"
-#include "report/plotted_methods.h"
 #include "report/suite/suite_plots.h"
 #include "report/suite/suite_tables.h"
-#include "report/tables/formats/html_format.h"
-#include "report/tables/formats/text_formats.h"
-#include "report/text/confidence_text.h"
+#include "report/tables/confidence.h"
+#include "report/tables/table.h"
 #include "report/text/number_text.h"
-#include "report/text/ranking_text.h"
+#include "report/text/verdict_text.h"
 #include "study/spec/toml/toml_text.h"
 
 namespace gnomon::report {
+
+namespace fs = std::filesystem;
+namespace {
+
+/// The scene of a summary; none where it is of no suite.
+std::optional<FinishedScene> readScene(const fs::path& folder) {
+  const fs::path file = folder / "summary.json";
+  const Json json = readJson(file);
+  const JsonReader summary(json, file.string(), "");
+  if (summary.text("schema") != summarySchema) return std::nullopt;
+  const JsonReader header = summary.object("study").object("settings").object("study");
+  if (!header.has("suite")) return std::nullopt;
+  return FinishedScene{folder, study::studyMeans(readSummary(summary))};
+}
+
+std::vector<fs::path> foldersIn(const fs::path& folder) {
+  std::vector<fs::path> folders = {folder};
+  std::error_code failure;
+  for (const auto& entry : fs::directory_iterator(folder, failure)) {
+    if (entry.is_directory(failure)) folders.push_back(entry.path());
+  }
+  if (failure) {
+    throw InputError(fmt::format("{}: cannot be read: {}", folder.string(), failure.message()));
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+}  // namespace
+
+std::vector<FinishedScene> readFinishedScenes(const fs::path& folder) {
+  std::vector<FinishedScene> scenes;
+  for (const fs::path& run : foldersIn(folder)) {
+    std::error_code failure;
+    if (!fs::exists(run / "summary.json", failure)) continue;
+    if (auto scene = readScene(run)) scenes.push_back(std::move(*scene));
+  }
+  return scenes;
+}
+
+study::SuiteRanking readSuiteRanking(const fs::path& file) {
+  const Json json = readJson(file);
+  const JsonReader suite(json, file.string(), "");
+  const std::string schema = suite.text("schema");
+  if (schema != suiteSchema) {
+    suite.fail("schema", fmt::format("\"{}\" found, \"{}\" expected", schema, suiteSchema));
+  }
+  study::SuiteRanking ranking;
+  for (const JsonReader& method : suite.list("methods")) {
+    if (!method.numberOrNull("rank")) continue;
+    ranking.methods.push_back({method.text("label"), method.number("mean")});
+  }
+  for (const JsonReader& pair : suite.list("pairs")) {
+    const std::string verdict = pair.text("verdict");
+    if (verdict == differenceVerdictName(study::DifferenceVerdict::better)) {
+      ranking.distinguishable.emplace_back(pair.text("first"), pair.text("second"));
+    } else if (verdict == differenceVerdictName(study::DifferenceVerdict::worse)) {
+      ranking.distinguishable.emplace_back(pair.text("second"), pair.text("first"));
+    }
+  }
+  return ranking;
+}
 
 namespace {
 
@@ -34,7 +98,8 @@ void writeTables(const study::SuiteStatistics& statistics,
 
 void writeSuiteFiles(const study::SuiteStatistics& statistics,
                      std::span<const study::StudyMeans> studies, std::string_view command,
-                     const PaperOptions& paper, RunFolder& folder, const Html& opening) {
+                     const PaperOptions& paper, RunFolder& folder,
+                     const std::vector<PageSection>& opening) {
   writeTables(statistics, studies, folder);
   writePaperFiles(statistics, paper, folder);
   std::vector<PlotSheet> sheets = sheetsOf(suitePlots(statistics, plottedMethods(statistics)));
@@ -284,9 +349,9 @@ Html noted(const Html& note, const Html& content) {
   return content.empty() ? Html() : html("<p class=\"note\">{}</p>\n{}", note, content);
 }
 
-Html rankedSection(const study::SuiteStatistics& statistics) {
-  return htmlSection(
-      "ranking", "Methods, best first",
+PageSection rankedSection(const study::SuiteStatistics& statistics) {
+  return {
+      "ranking", "Which method is closest to the truth",
       noted(
           html("Percent of {}. <b>Worst 5&#8239;%</b> is the mean over the worst "
                "twentieth of the scenes. <b>Ranks</b> are those of 95&#8239;% of the resamples of "
@@ -296,70 +361,73 @@ Html rankedSection(const study::SuiteStatistics& statistics) {
                suiteFigure(statistics).of, plural(statistics.comparisons, "pair"),
                statistics.entries.empty() ? "" : ", those with an entry by themselves",
                signMeaning),
-          htmlTable(suiteRankedTable(statistics))));
+          htmlTable(suiteRankedTable(statistics)))};
 }
 
-Html leaderSection(const study::SuiteStatistics& statistics) {
+PageSection leaderSection(const study::SuiteStatistics& statistics) {
   const Table table = suiteLeaderTable(statistics);
   if (table.rows.empty()) return {};
-  return htmlSection(
+  return {
       "first", "Against " + statistics.methods.front().label,
       noted(html("Paired by scene. A scene on which two methods differ by no more than the truth’s "
                  "uncertainty counts half for each."),
-            htmlTable(table)));
+            htmlTable(table))};
 }
 
-Html winsSection(const std::vector<DrawnPlot>& plots) {
-  return htmlSection(
+PageSection winsSection(const std::vector<DrawnPlot>& plots) {
+  return {
       "wins", "Who beats whom",
       noted(html("How probable it is, in percent, that the method of the row has a smaller error "
                  "than that of the column on a new scene. Blue above 50, orange below it; "
                  "no colour where the two are not known to differ: ≈ not distinguishable, = the "
                  "same answers, ? no interval."),
-            htmlPlots(plots, "wins")));
+            htmlPlots(plots, "wins"))};
 }
 
-Html binsSection(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots) {
+PageSection binsSection(const study::SuiteStatistics& statistics,
+                        const std::vector<DrawnPlot>& plots) {
   Html tables;
   for (const std::string& axis : suiteAxes(statistics)) {
     tables += html("<h3>{}</h3>\n{}", axisTitle(axis), htmlTable(suiteBinsTable(statistics, axis)));
   }
   if (tables.empty()) return {};
-  return htmlSection(
+  return {
       "bins", "Where methods fail",
       noted(
           html("Error among the samples of all scenes that lie in a bin, each scene with the same "
                "weight. Bars are 95&#8239;% intervals over the scenes; errors below "
                "0.01&#8239;% are drawn at 0.01&#8239;%. The tables have all methods."),
-          htmlPlots(plots, "bins") +
-              html("<details>\n<summary>All methods</summary>\n{}</details>\n", tables)));
+          htmlPlots(plots, "bins") + htmlFold("The figures of every method", tables))};
 }
 
-Html hardSection(const study::SuiteStatistics& statistics) {
+PageSection hardSection(const study::SuiteStatistics& statistics) {
   const Table table = suiteScenesTable(statistics, mostHardScenes);
   if (statistics.methods.empty() || !statistics.methods.front().rank) return {};
-  return htmlSection("scenes", "The hardest scenes",
-                     noted(html("The {} with the largest median of the ranked methods’ errors, "
-                                "percent of {}.",
-                                plural(table.rows.size(), "scene"), suiteFigure(statistics).of),
-                           htmlTable(table)));
+  return {"scenes", "The hardest scenes",
+          noted(html("The {} with the largest median of the ranked methods’ errors, "
+                     "percent of {}.",
+                     plural(table.rows.size(), "scene"), suiteFigure(statistics).of),
+                htmlTable(table))};
 }
 
 }  // namespace
 
 Html suiteHtml(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots,
-               std::string_view command, const Html& opening) {
-  const Html curves = htmlSection(
+               std::string_view command, const std::vector<PageSection>& opening) {
+  const PageSection curves = {
       "errors", "Share of the scenes with an error below",
       noted(html("The farther up and to the left a curve runs, the better the method. It reaches "
                  "100&#8239;% at the method’s worst scene. Errors below 0.01&#8239;% are drawn at "
                  "0.01&#8239;%. {}",
                  plotReading),
-            htmlPlots(plots, "plots")));
-  return htmlPage(statistics.suite, header(statistics),
-                  opening + rankedSection(statistics) + curves + winsSection(plots) +
-                      leaderSection(statistics) + binsSection(statistics, plots) +
-                      hardSection(statistics) + htmlReproduction(command));
+            htmlPlots(plots, "plots"))};
+  std::vector<PageSection> sections = opening;
+  for (PageSection& section : std::vector{rankedSection(statistics), curves, winsSection(plots),
+                                          leaderSection(statistics), binsSection(statistics, plots),
+                                          hardSection(statistics), reproduceSection(command)}) {
+    sections.push_back(std::move(section));
+  }
+  return htmlPage(statistics.suite, header(statistics), sections);
 }
 
 }  // namespace gnomon::report

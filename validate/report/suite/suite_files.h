@@ -1,19 +1,37 @@
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "report/paper/paper_options.h"
-#include "report/plots/drawn_plots.h"
+#include "report/plots/gnuplot.h"
 #include "report/run_folder.h"
+#include "report/tables/latex_table.h"
 #include "report/tables/table.h"
 #include "report/text/html.h"
+#include "study/judge/study_means.h"
 #include "study/judge/suite/chosen_settings.h"
 #include "study/judge/suite/suite_statistics.h"
 
 namespace gnomon::report {
+
+/// A scene of a suite that an earlier run measured.
+struct FinishedScene {
+  std::filesystem::path folder;  ///< of its run
+  study::StudyMeans means;
+};
+
+/// Reads the scenes of a folder of results from the summaries that finished runs left in it: in its
+/// own, or in those of its subfolders, by name. Runs of studies that were not drawn for a suite,
+/// sweeps, and runs that were not finished are left out.
+/// @throws InputError where the folder cannot be read, or a summary is damaged
+std::vector<FinishedScene> readFinishedScenes(const std::filesystem::path& folder);
+
+/// The ranking that a suite.json holds.
+/// @throws InputError where it cannot be read or is damaged
+study::SuiteRanking readSuiteRanking(const std::filesystem::path& file);
 
 /// Writes what the studies of one suite come to, beside their folders: suite.csv, suite.md,
 /// suite.html, its plots as plots/suite-*.svg and .pdf, and what papers take (paper_files.h).
@@ -24,7 +42,8 @@ namespace gnomon::report {
 /// @throws InputError for a file that cannot be written; InternalError as the writers
 void writeSuiteFiles(const study::SuiteStatistics& statistics,
                      std::span<const study::StudyMeans> studies, std::string_view command,
-                     const PaperOptions& paper, RunFolder& folder, const Html& opening = {});
+                     const PaperOptions& paper, RunFolder& folder,
+                     const std::vector<PageSection>& opening = {});
 
 /// What of a suite is written.
 enum class SuiteParts { all, figures };
@@ -62,6 +81,6 @@ std::string chosenSettingsText(const study::SuiteMethods& methods,
 /// @param command  reproduces the run
 /// @throws InternalError for a number that is not finite
 Html suiteHtml(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots,
-               std::string_view command, const Html& opening = {});
+               std::string_view command, const std::vector<PageSection>& opening = {});
 
 }  // namespace gnomon::report

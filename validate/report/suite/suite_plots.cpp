@@ -155,7 +155,7 @@ std::string textColour(const study::SuitePair& pair) {
 std::vector<LinePlot> suitePlots(const study::SuiteStatistics& statistics,
                                  const std::vector<std::string>& shown) {
   if (statistics.methods.empty()) return {};
-  const MethodStyles styles(statistics);
+  const MethodStyles styles(statistics, shown);
   std::vector<LinePlot> plots = {errorsPlot(statistics, shown, styles)};
   for (const char* axis : plottedAxes) {
     LinePlot plot = binsPlot(statistics, axis, shown, styles);

@@ -8,7 +8,7 @@
 
 #include "common/lists.h"
 #include "report/text/number_text.h"
-#include "report/text/ranking_text.h"
+#include "report/text/verdict_text.h"
 #include "study/judge/ranking.h"
 #include "study/run/scene/sample_axes.h"
 

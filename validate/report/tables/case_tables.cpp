@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
-#include "report/text/confidence_text.h"
-#include "report/text/gate_text.h"
+#include "common/lists.h"
+#include "report/plots/line_plot.h"
+#include "report/tables/confidence.h"
 #include "report/text/number_text.h"
-#include "report/text/ranking_text.h"
+#include "report/text/verdict_text.h"
 #include "study/judge/distinguish.h"
 #include "study/record/result_metrics.h"
 
@@ -91,7 +93,7 @@ std::map<std::string, study::LikeMethods> likeMethods(const study::StudyRecord& 
 
 Cell methodCell(const std::string& method, const study::LikeMethods& like) {
   Cell cell = textCell(method);
-  cell.note = likeText(like);
+  cell.about = likeText(like);
   return cell;
 }
 
@@ -272,40 +274,50 @@ Table binsTable(const study::StudyRecord& record) {
   return table;
 }
 
-namespace {
-
-Row confidenceRow(const study::StudyRecord& record, const study::ConfidenceRecord& row,
-                  const std::string& best) {
-  Row cells{{textCell(row.method), valueCell(row.rate), intervalCell(row.interval, row.reason)}};
-  const auto worse = study::differenceOf(record, row.view, row.light, row.method, best);
-  if (row.method == best || !worse) {
-    cells.cells.push_back(textCell(""));
-    cells.cells.push_back(textCell(""));
-    return cells;
+std::vector<Table> binErrorTables(const study::StudyRecord& record) {
+  using Bins = std::vector<const study::BinRecord*>;
+  std::map<std::pair<std::string, std::string>, Bins> groups;
+  for (const study::BinRecord& bin : record.bins) {
+    if (bin.light == study::allLights) groups[{bin.axis, bin.view}].push_back(&bin);
   }
-  cells.cells.push_back(valueCell(worse->difference));
-  cells.cells.push_back(intervalCell(worse->interval, worse->reason));
-  cells.mark = differenceSign(worse->verdict);
-  return cells;
-}
-
-}  // namespace
-
-Table confidenceTable(const study::StudyRecord& record, const std::string& view) {
-  using Q = Quantity;
-  Table table{.kind = "confidence",
-              .columns = {{"Method", "method", Q::name},
-                          {"Error", "error_rate", Q::percent},
-                          {"95 %", "", Q::interval},
-                          {"To best", "to_best", Q::signedPercent},
-                          {"95 %", "to_best", Q::interval}}};
-  table.columns[0].width = 44;
-  const std::vector<study::ConfidenceRecord> ranked = rankedIn(record, view);
-  for (const study::ConfidenceRecord& row : ranked) {
-    table.rows.push_back(confidenceRow(record, row, ranked.front().method));
+  const auto errorOf = [](const study::BinRecord& bin) {
+    return compare::rate(bin.counts, compare::metrics::errorRate);
+  };
+  std::vector<Table> tables;
+  for (const auto& [group, bins] : groups) {
+    std::vector<BinEnds> ends;
+    double worst = 0;
+    for (const study::BinRecord* bin : bins) {
+      appendOnce(ends, BinEnds{bin->low, bin->high});
+      worst = std::max(worst, errorOf(*bin).value.value_or(0));
+    }
+    if (ends.size() < 2) continue;
+    std::sort(ends.begin(), ends.end());
+    Table table{.kind = "regions",
+                .title = fmt::format("Error by {} ({})", axisTitle(group.first), group.second),
+                .columns = {{"Method", "method", Quantity::name}}};
+    for (const auto& [low, high] : ends)
+      table.columns.push_back({binText(low, high), "", Quantity::percent});
+    for (const std::string& method : study::methodsOf(record)) {
+      Row row{{textCell(method)}};
+      for (const BinEnds& place : ends) {
+        const auto bin = std::find_if(bins.begin(), bins.end(), [&](const study::BinRecord* one) {
+          return one->method == method && BinEnds{one->low, one->high} == place;
+        });
+        if (bin == bins.end()) {
+          row.cells.push_back(valueCell({}, "no sample"));
+          continue;
+        }
+        const compare::Metric error = errorOf(**bin);
+        row.cells.push_back(error.value ? heatCell(*error.value, worst,
+                                                   groupedText((*bin)->counts.samples) + " samples")
+                                        : metricCell(error));
+      }
+      table.rows.push_back(std::move(row));
+    }
+    tables.push_back(std::move(table));
   }
-  table.notes = noIntervalNotes(differencesToBest(record, view));
-  return table;
+  return tables;
 }
 
 namespace {
@@ -358,6 +370,37 @@ Table gateTable(std::span<const study::Judgement> judgements) {
           textCell(gate.region), textCell(std::string(gate.metric.name())),
           gateValueCell(committed, ""), gateValueCell(judgement.value, judgement.reason),
           changeCell(judgement, committed), textCell(limitText(gate))}});
+  }
+  return table;
+}
+
+Table flipTable(const std::vector<study::UncertaintyRecord>& flips) {
+  Table table{.kind = "flips",
+              .columns = {{"View", "view"},
+                          {"Light", "light"},
+                          {"Samples that change", "flip_rate", Quantity::percent}}};
+  for (const study::UncertaintyRecord& flip : flips) {
+    table.rows.push_back({{textCell(flip.view), textCell(flip.light), valueCell(flip.flipRate)}});
+  }
+  return table;
+}
+
+Table timingTable(const std::vector<study::TimingRecord>& timings) {
+  Table table{.kind = "timings",
+              .columns = {{"Stage", "stage"}, {"Seconds", "seconds", Quantity::decimals}}};
+  for (const study::TimingRecord& timing : timings) {
+    table.rows.push_back({{textCell(timing.stage), valueCell(timing.seconds)}});
+  }
+  return table;
+}
+
+Table inputTable(const std::vector<study::InputRecord>& inputs) {
+  Table table{
+      .kind = "inputs",
+      .columns = {{"Kind", "kind"}, {"File", "file"}, {"SHA-256", "sha256", Quantity::code}}};
+  for (const study::InputRecord& input : inputs) {
+    table.rows.push_back({{textCell(std::string(inputKindName(input.kind))), textCell(input.file),
+                           textCell(input.sha256)}});
   }
   return table;
 }

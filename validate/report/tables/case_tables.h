@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "report/tables/table.h"
 #include "study/record/cases.h"
@@ -29,20 +30,28 @@ Table metricsTable(const study::StudyRecord& record);
 /// false_light.
 Table binsTable(const study::StudyRecord& record);
 
+/// Of each axis of samples and each view, all lights together: every method's error in each bin,
+/// tinted by size. None of one bin alone.
+std::vector<Table> binErrorTables(const study::StudyRecord& record);
+
 /// The error of every method in every case: a row a case.
 /// @param methods  labels, a column each
 /// @param links    where each case leads to
 Table caseErrorsTable(const study::StudyRecord& record, const std::vector<std::string>& methods,
                       std::span<const study::Case> cases, std::span<const std::string> links);
 
-/// The methods of a view from the lowest error rate to the highest, each with its interval, and how
-/// much worse than the best it is, with the interval of that; signs as differenceSign has them.
-/// Without rows if the record has no intervals.
-Table confidenceTable(const study::StudyRecord& record, const std::string& view);
-
 /// Gates, each with its verdict, what it judges, the value and the limit; references also with
 /// their committed value and the change.
 /// @param judgements  one or more, of one origin
 Table gateTable(std::span<const study::Judgement> judgements);
+
+/// Tables of a run itself.
+
+/// The truth's uncertainty in each view under each light.
+Table flipTable(const std::vector<study::UncertaintyRecord>& flips);
+/// The time of each stage, seconds.
+Table timingTable(const std::vector<study::TimingRecord>& timings);
+/// Each file that the run was made of.
+Table inputTable(const std::vector<study::InputRecord>& inputs);
 
 }  // namespace gnomon::report

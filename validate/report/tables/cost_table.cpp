@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "report/text/number_text.h"
-#include "report/text/ranking_text.h"
+#include "report/text/verdict_text.h"
 #include "study/judge/ranking.h"
 
 namespace gnomon::report {

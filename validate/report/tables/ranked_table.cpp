@@ -6,7 +6,7 @@
 
 #include "report/tables/cost_table.h"
 #include "report/text/number_text.h"
-#include "report/text/ranking_text.h"
+#include "report/text/verdict_text.h"
 #include "study/judge/study_means.h"
 
 namespace gnomon::report {
@@ -70,13 +70,15 @@ Row rankedRow(const study::StudyRecord& record, const study::RankedMethod& metho
   const study::CostRecord* cost = costOf(record, method.label);
   Cell name = textCell(method.label);
   name.bar = barOf(method, scale);
-  name.note = likeText(method.like);
+  name.about = likeText(method.like);
   Cell error = valueCell(method.means.errorRate);
   error.uncertainty = method.uncertainty;
   const auto mean = [&](const study::Mean& of) { return meanCell(of, method.cases); };
   return {
       {rankCell(method.rank), name, error,
        intervalCell(method.means.interval, method.means.interval ? "" : "no interval was measured"),
+       method.toBest ? valueCell(method.toBest->difference) : textCell(""),
+       method.toBest ? intervalCell(method.toBest->interval, method.toBest->reason) : textCell(""),
        valueCell(method.uncertainty), toBestCell(method), mean(method.testError),
        valueCell(method.means.falseShadow), valueCell(method.means.falseLight), mean(method.iou),
        mean(method.ber), countCell(method.cases), countCell(method.allCases),
@@ -134,20 +136,24 @@ Table rankedTable(const study::StudyRecord& record,
                           {"Method", "method", Q::name},
                           {"Error", "error_rate", Q::percent},
                           {"95 %", "", Q::interval},
+                          {"To best", "", Q::signedPercent, onPage},
+                          {"95 %", "", Q::interval, onPage},
                           {"", "uncertainty", Q::exact, asData},
                           {"", "to_best", Q::exact, asData},
-                          {"Test", "test_error_rate", Q::percent, byAll & ~inColumn},
+                          {"Test", "test_error_rate", Q::percent, byAll & ~inColumn & ~onPage},
                           {"False shadow", "false_shadow", Q::percent},
                           {"False light", "false_light", Q::percent},
-                          {"IoU", "iou", Q::percent, byAll & ~inColumn},
-                          {"BER", "", Q::percent, onPage},
+                          {"IoU", "iou", Q::percent, byAll & ~inColumn & ~onPage},
+                          {"BER", "", Q::percent, 0U},
                           {"", "cases", Q::exact, asData},
                           {"", "all_cases", Q::exact, asData},
                           {"", "leader_error_rate", Q::exact, asData},
-                          {"Memory", "bytes", Q::megabytes, onPaper | inColumn | asData, "MB"},
-                          {"Frame", "frame_ms", Q::decimals, onPaper | asData, "ms"}}};
+                          {"Memory", "bytes", Q::megabytes, byAll & ~onTerminal, "MB"},
+                          {"Frame", "frame_ms", Q::decimals, onPage | onPaper | asData, "ms"}}};
   table.columns[2].isMain = true;
-  table.columns[14].shortName = "MB";
+  table.columns[16].shortName = "MB";
+  if (record.cost.empty()) table.columns[16].readers &= ~onPage;
+  if (!isTimed(record)) table.columns[17].readers &= ~onPage;
   const double scale = barScale(ranked);
   for (const study::RankedMethod& method : ranked) {
     table.rows.push_back(rankedRow(record, method, ranked.front(), scale));

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "common/lists.h"
-#include "report/tables/formats/text_formats.h"
 #include "report/tables/ranked_table.h"
+#include "report/tables/table.h"
 #include "report/text/number_text.h"
 #include "study/judge/baseline.h"
 #include "study/judge/claims.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/tables/formats/latex_format.h"
+#include "report/tables/latex_table.h"
 #include "report/tables/table.h"
 #include "study/record/sweep_record.h"
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -127,5 +128,34 @@ std::string nameOf(const Table& table, const Row& row);
 /// The indices of the columns that a reader sees.
 /// @throws InternalError for a row that has not one cell a column
 std::vector<std::size_t> columnsFor(const Table& table, Readers reader);
+
+/// A table for programs, as RFC 4180 quotes it; lines end in LF. A number is the shortest text that
+/// reads back as itself, whatever it reads as for people; what there is none of, an empty cell. An
+/// interval takes two columns, `low` and `high`, after its column's key and `_`, if it has one.
+///
+/// A cell that begins with = + - @ (of full width too), a tab or CR, and is no number, gets an
+/// apostrophe before it: spreadsheets would take it for a formula. What `xmlText` refuses becomes
+/// U+FFFD.
+/// @throws InternalError for a number that is not finite
+std::string csvTable(const Table& table);
+
+/// Text that stands for itself in a cell of a GitHub-flavoured Markdown table, on one line: what
+/// Markdown or HTML would read is escaped, and no @name or #1 in it notifies or links anybody.
+std::string escapeMarkdown(std::string_view text);
+
+/// A table for a pull request, a README or a notebook, as GitHub-flavoured Markdown: the title and
+/// the caption, the table, then the rows' remarks.
+/// @throws InternalError for a number that is not finite
+std::string markdownTable(const Table& table);
+
+/// One way to print any table.
+struct TableFormat {
+  std::string_view name;  ///< as files of the format end
+  std::string (*print)(const Table&);
+  bool isFile;  ///< a run writes its ranked table in it, as `table.NAME`; LaTeX: see paper_files.h
+};
+
+/// All formats of tables. A new one is a file beside these and a line in formats.cpp.
+std::span<const TableFormat> tableFormats();
 
 }  // namespace gnomon::report
