@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/page/html_page.h"
 #include "report/plots/gnuplot.h"
 #include "report/run_folder.h"
 #include "report/tables/latex_table.h"
