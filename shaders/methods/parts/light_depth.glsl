@@ -74,10 +74,11 @@ float besideMarch(DepthPlace at, vec2 texel) {
   vec2 closes = vec2(closingAxes(textureSize(pointPass, 0)));
   texel -= closes * mapSize * round((texel - 0.5 * (at.start + at.end)) / mapSize);
 #endif
-  float share = clamp(dot(texel - at.start, chord) / square, 0.0, 1.0);
+  float place = dot(texel - at.start, chord) / square;
+  float share = clamp(place, 0.0, 1.0);
   float along = sqrt(square) / max(dot(at.toward, chord) * inversesqrt(square), 0.5);
   vec2 off = texel - at.start - share * (along * at.toward + share * (chord - along * at.toward));
-  float most = 1.0 + at.off * at.texelsPerWorld + 0.1 * share * sqrt(square);
+  float most = 1.0 + at.off * at.texelsPerWorld + (place < 1.0 ? 0.1 * share * sqrt(square) : 0.0);
   return dot(off, off) / (most * most);
 }
 

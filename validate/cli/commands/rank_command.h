@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "report/paper/paper_options.h"
+#include "report/tables/latex_table.h"
 
 namespace CLI {
 class App;

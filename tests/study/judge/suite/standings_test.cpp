@@ -28,7 +28,7 @@ constexpr const char* table =
     "small-test-0002,shadow-volume,,,,0.002,\n"
     "small-test-0002,unshadowed,0.3,0.1,0.2,0.002,1\n";
 
-class StandingsFiles : public test::TemporaryFolder {
+class StandingsFiles : public TemporaryFolder {
  protected:
   void SetUp() override { put(table); }
   void put(const std::string& text) const {
@@ -37,7 +37,7 @@ class StandingsFiles : public test::TemporaryFolder {
     std::ofstream(file("small/suite.csv")) << text;
   }
   [[nodiscard]] std::string refusal(const std::string& suite) const {
-    return test::messageOf<InputError>([&] { (void)readStandings(folder(), suite); });
+    return messageOf<InputError>([&] { (void)readStandings(folder(), suite); });
   }
 };
 
@@ -89,8 +89,7 @@ TEST_F(StandingsFiles, AreJoinedWhereTheControlIsTheSameToTheLastBit) {
   EXPECT_EQ(findMeans(scenes[0], "max-forsyth, chosen")->errorRate, 0.0625);
 
   const auto refused = [&](const StudyMeans& scene) {
-    return test::messageOf<InputError>(
-        [&] { (void)joined(standings, std::vector{scene}, {"mine"}); });
+    return messageOf<InputError>([&] { (void)joined(standings, std::vector{scene}, {"mine"}); });
   };
   EXPECT_THAT(refused(measured("small-test-0001", std::nextafter(0.125, 1), 0.25)),
               HasSubstr("small-test-0001: error rate of `unshadowed`: 0.12500000000000003 found"));
