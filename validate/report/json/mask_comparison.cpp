@@ -7,6 +7,7 @@
 #include "common/error.h"
 #include "compare/counts.h"
 #include "compare/metric.h"
+#include "report/json/json_values.h"
 #include "report/tables/confidence.h"
 #include "report/terminal_page.h"
 #include "report/text/number_text.h"
@@ -97,20 +98,7 @@ std::string failureText(const study::Judgement& judgement) {
   return text;
 }
 
-}  // namespace
-
-MaskFileRecord::MaskFileRecord(std::string name, const Mask& mask, std::size_t soft)
-    : file(std::move(name)),
-      lit(countOf(mask, Shade::lit)),
-      shadowed(countOf(mask, Shade::shadowed)),
-      none(countOf(mask, Shade::none)),
-      binarised(soft) {}
-
-bool MaskComparison::passed() const {
-  return std::none_of(judgements.begin(), judgements.end(),
-                      [](const study::Judgement& judgement) { return judgement.isFault(); });
-}
-
+/// samples, tp, fp, fn, tn.
 void addCounts(Json& json, const compare::Counts& counts) {
   json["samples"] = counts.samples;
   json["tp"] = jsonNumber(counts.truePositive, "tp");
@@ -144,17 +132,32 @@ Json jsonComparison(const MaskComparison& c) {
   return json;
 }
 
-std::string uncertaintyText(double share) {
-  return fmt::format("The truth is uncertain by {} % of the pixels: smaller errors mean nothing.",
-                     percentText(share));
-}
-
+/// "error_rate is 12.5 %, at most 10 % allowed", of each gate that fails.
 std::vector<std::string> failureTexts(const std::vector<study::Judgement>& judgements) {
   std::vector<std::string> texts;
   for (const study::Judgement& judgement : judgements) {
     if (judgement.isFault()) texts.push_back(failureText(judgement));
   }
   return texts;
+}
+
+}  // namespace
+
+MaskFileRecord::MaskFileRecord(std::string name, const Mask& mask, std::size_t soft)
+    : file(std::move(name)),
+      lit(countOf(mask, Shade::lit)),
+      shadowed(countOf(mask, Shade::shadowed)),
+      none(countOf(mask, Shade::none)),
+      binarised(soft) {}
+
+bool MaskComparison::passed() const {
+  return std::none_of(judgements.begin(), judgements.end(),
+                      [](const study::Judgement& judgement) { return judgement.isFault(); });
+}
+
+std::string uncertaintyText(double share) {
+  return fmt::format("The truth is uncertain by {} % of the pixels: smaller errors mean nothing.",
+                     percentText(share));
 }
 
 std::string maskComparisonJson(const MaskComparison& c) {

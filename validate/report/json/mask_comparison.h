@@ -8,7 +8,6 @@
 #include "common/mask.h"
 #include "compare/confidence_interval.h"
 #include "compare/counts.h"
-#include "report/json/json_values.h"
 #include "study/record/gate.h"
 
 namespace gnomon::report {
@@ -43,19 +42,8 @@ struct MaskComparison {
   [[nodiscard]] bool passed() const;
 };
 
-/// candidate, truth, roi, width, height, what was left out, samples, tp, fp, fn, tn, the metrics,
-/// confidence, uncertainty, notices, gates.
-Json jsonComparison(const MaskComparison& comparison);
-/// samples, tp, fp, fn, tn.
-void addCounts(Json& json, const compare::Counts& counts);
-/// low, high, reason, blocks.
-Json jsonConfidence(const compare::ConfidenceInterval& confidence);
-
 /// What the truth's uncertainty means, as a sentence.
 std::string uncertaintyText(double share);
-
-/// "error_rate is 12.5 %, at most 10 % allowed", of each gate that fails.
-std::vector<std::string> failureTexts(const std::vector<study::Judgement>& judgements);
 
 /// For programs: schema "gnomon-comparison/1". The confusion matrix and the metrics have the names
 /// that a run's summary gives them; a metric without a value is null, its reason in `undefined`.

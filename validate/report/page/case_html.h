@@ -40,8 +40,8 @@ std::vector<CasePage> casePages(const study::StudyRecord& record,
 
 /// The section of the places where methods err most: of each shown method those that its picture
 /// records, in the view and under the light where its error is largest, each beside the truth and
-/// the difference from it; the worst one of each method is seen at once. A method that gives the
-/// same answers there as one before it is only named. Nothing without an error.
+/// the difference from it; the worst one of each method is seen at once. A method that errs at the
+/// places of one before it is only named there. Nothing without an error.
 /// @throws InputError if a difference cannot be read
 PageSection worstSection(const study::StudyRecord& record, const std::filesystem::path& folder);
 

@@ -155,6 +155,10 @@ std::vector<OpeningFigure> openingFigures(const study::StudyRecord& record,
   return figures;
 }
 
+namespace {
+
+/// How a study's page opens: its title, the question, the answer in a sentence or two, whether it
+/// passed, and the pictures of `openingFigures`.
 Html openingHtml(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked) {
   return html(
       "<h1>{}</h1>\n<p class=\"source\">{}</p>\n<p class=\"lead\">Which method draws the shadows "
@@ -164,8 +168,6 @@ Html openingHtml(const study::StudyRecord& record, const std::vector<study::Rank
       comparedMethods(record), htmlNotices(record.notices),
       statusHtml(record.status(), record.judgements, record.problems.size()));
 }
-
-namespace {
 
 PageSection rankingSection(const study::StudyRecord& record,
                            const std::vector<study::RankedMethod>& ranked) {
@@ -331,8 +333,8 @@ PageSection plotSection(const study::StudyRecord& record, std::span<const DrawnP
                plotReading, content, htmlFold("The figures of every method", tables))};
 }
 
-}  // namespace
-
+/// Of a study of several views: for each a table of its methods, ranked with their intervals. Of a
+/// single one the ranking has them.
 PageSection confidenceSection(const study::StudyRecord& record) {
   Html content;
   const std::vector<std::string> views = confidenceViews(record);
@@ -346,6 +348,7 @@ PageSection confidenceSection(const study::StudyRecord& record) {
   return {"confidence", "How sure the error rates are", content, {}, true};
 }
 
+/// All lights together, then folded away each light.
 PageSection budgetSection(const study::StudyRecord& record) {
   if (record.budgets.empty()) return {};
   Html content = htmlNote(budgetNote(record.budgets.front(), study::isSoft(record)));
@@ -361,6 +364,8 @@ PageSection budgetSection(const study::StudyRecord& record) {
   }
   return {"budget", "Where the error comes from", content};
 }
+
+}  // namespace
 
 Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& folder,
                 std::span<const DrawnPlot> plots) {

@@ -15,10 +15,6 @@
 
 namespace gnomon::report {
 
-/// How a study's page opens: its title, the question, the answer in a sentence or two, whether it
-/// passed, and the pictures of `openingFigures`.
-Html openingHtml(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked);
-
 /// "it is wrong at 1.2 % of the samples", or of a soft light "its share of the light is off by 1.2
 /// %".
 Html errorHtml(bool isSoft, std::optional<double> errorRate);
@@ -50,13 +46,5 @@ std::vector<OpeningFigure> openingFigures(const study::StudyRecord& record,
 ///   PNG, or for a number that is not finite
 Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& folder,
                 std::span<const DrawnPlot> plots = {});
-
-/// Its section on intervals, of a study of several views: for each a table of its methods, ranked
-/// with their intervals. Empty of a single view, of which the ranking has them.
-PageSection confidenceSection(const study::StudyRecord& record);
-
-/// Its section "Where the error comes from": the plots and tables of the study's error budgets, all
-/// lights together, then folded away each light; nothing, if it has none.
-PageSection budgetSection(const study::StudyRecord& record);
 
 }  // namespace gnomon::report
