@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -81,7 +82,11 @@ Found contentOf(const fs::path& path, const ContentKey& own, std::uint64_t limit
 }  // namespace
 
 Cache::Cache(fs::path folder, std::uint64_t limit, const CacheOwner& owner, Warning warn)
-    : folder_(std::move(folder)), limit_(limit), owner_(owner), warn_(std::move(warn)) {
+    : folder_(std::move(folder)),
+      limit_(limit),
+      owner_(owner),
+      warn_(std::move(warn)),
+      mostShared_(shareOfMemory()) {
   // A writer fills its file in the folder itself: so one look finds all that killed ones left.
   removeLeftovers(folder_);
 }
@@ -166,6 +171,43 @@ void Cache::save(const ContentKey& own, const std::string& content) {
   written_ += file.size();
   constexpr std::uint64_t enough = 64'000'000;
   if (written_ > std::min(enough, limit_ / 8)) accountForWritten();
+}
+
+std::uint64_t Cache::shareOfMemory() {
+  return availableMemoryBytes() / 4;
+}
+
+bool Cache::canShare(std::uint64_t bytes) const {
+  return bytes <= mostShared_ && bytes <= availableMemoryBytes() / 2;
+}
+
+void Cache::dropShared() {
+  shared_.clear();
+  sharedBytes_ = 0;
+}
+
+std::shared_ptr<const void> Cache::findShared(const Name& name) {
+  const auto found = std::find_if(shared_.begin(), shared_.end(),
+                                  [&](const Shared& entry) { return entry.name == name; });
+  if (found == shared_.end()) return nullptr;
+  shared_.splice(shared_.begin(), shared_, found);
+  return found->value;
+}
+
+void Cache::drop(std::list<Shared>::const_iterator entry) {
+  sharedBytes_ -= entry->bytes;
+  shared_.erase(entry);
+}
+
+void Cache::addShared(const Name& name, std::shared_ptr<const void> value, std::uint64_t bytes) {
+  if (bytes > mostShared_) return;
+  while (sharedBytes_ > mostShared_ - bytes) drop(std::prev(shared_.end()));
+  const auto isOfType = [&](const Shared& entry) { return entry.name.type == name.type; };
+  if (std::count_if(shared_.begin(), shared_.end(), isOfType) == mostOfAType) {
+    drop(std::prev(std::find_if(shared_.rbegin(), shared_.rend(), isOfType).base()));
+  }
+  shared_.push_front({name, std::move(value), bytes});
+  sharedBytes_ += bytes;
 }
 
 }  // namespace gnomon::cache

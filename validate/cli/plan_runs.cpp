@@ -32,7 +32,7 @@ study::StudyRecord MeasuredCases::shown(const study::StudySpec& study, const Wor
   if (!progress) {
     progress = [this](std::string_view stage, double share) { line_.update(stage, share); };
   }
-  store_.expectCases(isStep(study));
+  cache_.expectCases(isStep(study));
   study::StudyRecord record = inStudy(study, [&] { return work(progress); });
   line_.clear();
   return record;
@@ -47,14 +47,14 @@ study::StudyRecord MeasuredCases::measure(const study::StudySpec& study,
   line_.beginCase(study.name);
   report::FolderWriter writer(folder, [this] { reports_.wait(); });
   return shown(study, [&](const study::StageProgress& progress) {
-    return study::runStudy(study, gl_, writer, cache_, store_, progress);
+    return study::runStudy(study, gl_, writer, cache_, progress);
   });
 }
 
 study::StudyRecord MeasuredCases::measureFigures(const study::StudySpec& study) {
   line_.beginCase(study.name);
   return shown(study, [&](const study::StageProgress& progress) {
-    return study::runStudyFigures(study, gl_, cache_, store_, progress);
+    return study::runStudyFigures(study, gl_, cache_, progress);
   });
 }
 

@@ -15,7 +15,6 @@
 #include "report/run_folder.h"
 #include "study/judge/ranking.h"
 #include "study/record/record.h"
-#include "study/run/scene/scene_store.h"
 #include "study/spec/study_file.h"
 #include "study/spec/sweep/sweep.h"
 
@@ -30,6 +29,10 @@ class MeasuredCases {
   MeasuredCases(const render::GlContext& gl, const RunRequest& request, cache::Cache& cache,
                 std::size_t count)
       : gl_(gl), request_(request), cache_(cache), line_("", count) {}
+  MeasuredCases(const MeasuredCases&) = delete;
+  MeasuredCases& operator=(const MeasuredCases&) = delete;
+  /// What the cases shared has objects of the context, which may go before the cache.
+  ~MeasuredCases() { cache_.dropShared(); }
 
   /// Called for all cases of a plan before the first of them is measured.
   void prepare(const study::StudySpec& study);
@@ -51,7 +54,6 @@ class MeasuredCases {
   const render::GlContext& gl_;
   const RunRequest& request_;
   cache::Cache& cache_;
-  study::SceneStore store_;
   TerminalProgress line_;
   WorkBeside reports_;
 };

@@ -65,8 +65,7 @@ void printNotices(const study::StudyRecord& record) {
 
 void traceOne(const study::StudySpec& study, report::RunFolder& folder, const render::GlContext& gl,
               study::StageClock& clock, cache::Cache& cache, const RunRequest& request) {
-  study::SceneStore store;
-  study::RunScene scene(study, clock, gl, cache, store);
+  study::RunScene scene(study, clock, gl, cache);
   study::StudyRecord record = study::traceStudy(scene, gl);
   record.command = request.command;
   exporting::writeTruth(folder, scene, record);
@@ -105,8 +104,7 @@ void writeBase(const fs::path& path, study::RunScene& scene) {
 void exportOne(const study::StudySpec& study, report::RunFolder& folder,
                const render::GlContext& gl, study::StageClock& clock, cache::Cache& cache,
                const RunRequest& request, std::optional<int> subdivisions) {
-  study::SceneStore store;
-  study::RunScene scene(study, clock, gl, cache, store);
+  study::RunScene scene(study, clock, gl, cache);
   Exported exported = clock.measure("meshes", [&](const Progress&) {
     return writeDisplaced(folder.newFile("displaced.ply"), scene, subdivisions);
   });

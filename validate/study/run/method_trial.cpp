@@ -135,8 +135,7 @@ ExitStatus answerTrial(std::span<const std::string> arguments) {
       std::move(method), arguments[2] == "clamp" ? relief::Wrap::clamp : relief::Wrap::repeat);
   const render::GlContext gl;
   cache::Cache none;
-  SceneStore store;
-  (void)measureStudy(study, gl, none, store);
+  (void)measureStudy(study, gl, none);
   return ExitStatus::pass;
 }
 

@@ -38,12 +38,12 @@ int framesOf(const StudySpec& study, Beside beside) {
 class StudyRun {
  public:
   StudyRun(const StudySpec& study, const render::GlContext& gl, RunWriter& writer,
-           cache::Cache& kept, SceneStore& held, const StageProgress& progress, Beside beside)
+           cache::Cache& kept, const StageProgress& progress, Beside beside)
       : study_(study),
         beside_(beside),
         costs_(render::frameClockOf(gl.driver().renderer), framesOf(study, beside)),
         clock_(progress),
-        scene_(study, clock_, gl, kept, held),
+        scene_(study, clock_, gl, kept),
         before_(scene_.cache.counts()),
         surface_(truthSurface(scene_)),
         writer_(writer),
@@ -221,13 +221,11 @@ class StudyRun {
 
 /// Measures what the driver draws right.
 StudyRecord runMeasurable(const StudySpec& study, const render::GlContext& gl, RunWriter& writer,
-                          cache::Cache& kept, SceneStore& held, const StageProgress& progress,
-                          Beside beside) {
+                          cache::Cache& kept, const StageProgress& progress, Beside beside) {
   DriverFaults faults(render::shaderFolder(), kept);
   const MeasurableStudy left = measurable(study, faults);
   StudyRecord record =
-      StudyRun(left.reduced ? *left.reduced : study, gl, writer, kept, held, progress, beside)
-          .run();
+      StudyRun(left.reduced ? *left.reduced : study, gl, writer, kept, progress, beside).run();
   addRefused(record, study, left.refused);
   return record;
 }
@@ -235,20 +233,20 @@ StudyRecord runMeasurable(const StudySpec& study, const render::GlContext& gl, R
 }  // namespace
 
 StudyRecord runStudy(const StudySpec& study, const render::GlContext& gl, RunWriter& writer,
-                     cache::Cache& kept, SceneStore& held, const StageProgress& progress) {
-  return runMeasurable(study, gl, writer, kept, held, progress, Beside::picturesAndCosts);
+                     cache::Cache& kept, const StageProgress& progress) {
+  return runMeasurable(study, gl, writer, kept, progress, Beside::picturesAndCosts);
 }
 
 StudyRecord runStudyFigures(const StudySpec& study, const render::GlContext& gl, cache::Cache& kept,
-                            SceneStore& held, const StageProgress& progress) {
+                            const StageProgress& progress) {
   NoFiles writer;
-  return runMeasurable(study, gl, writer, kept, held, progress, Beside::memory);
+  return runMeasurable(study, gl, writer, kept, progress, Beside::memory);
 }
 
 StudyRecord measureStudy(const StudySpec& study, const render::GlContext& gl, cache::Cache& kept,
-                         SceneStore& held, const StageProgress& progress) {
+                         const StageProgress& progress) {
   NoFiles writer;
-  return runMeasurable(study, gl, writer, kept, held, progress, Beside::nothing);
+  return runMeasurable(study, gl, writer, kept, progress, Beside::nothing);
 }
 
 StudyRecord traceStudy(RunScene& scene, const render::GlContext& gl,

@@ -28,16 +28,15 @@ bool areKept(const render::Method& method, glm::ivec2 map) {
 }
 
 /// The functions that bake, compiled once for all cases.
-std::shared_ptr<const render::BakePass> heldPass(RunScene& scene, const MethodSpec& spec,
-                                                 const render::Method& method) {
-  return scene.store.get<render::BakePass>(
+std::shared_ptr<const render::BakePass> compiledPass(RunScene& scene, const MethodSpec& spec,
+                                                     const render::Method& method) {
+  return scene.cache.share(
       scene.keys.program(spec, method),
       [&] {
-        return std::make_shared<const render::BakePass>(
-            scene.shaders, method, scene.study.relief.field.wrap(), spec.filter, spec.parameters,
-            !isBuiltIn(spec) && render::hasLoops(method));
+        return render::BakePass(scene.shaders, method, scene.study.relief.field.wrap(), spec.filter,
+                                spec.parameters, !isBuiltIn(spec) && render::hasLoops(method));
       },
-      [](const render::BakePass&) { return programBytes; });
+      programBytes);
 }
 
 }  // namespace
@@ -52,17 +51,16 @@ std::shared_ptr<const std::vector<render::GpuBake>> methodBakes(RunScene& scene,
   const render::BakeScene from{scene.heights, relief.field.wrap(), relief.space,
                                scene.texelsPerHeight};
   return scene.clock.measure("bake", [&](const Progress& progress) {
-    const auto pass = heldPass(scene, spec, method);
+    const auto pass = compiledPass(scene, spec, method);
     const cache::ContentKey key =
         scene.keys.methodBakes(spec, method, pass->parameters(), scene.texelsPerHeight);
     const auto bake = [&] { return pass->bake(from, tables, progress); };
-    return scene.store.get<std::vector<render::GpuBake>>(
+    return scene.cache.share(
         key,
         [&] {
           const auto stored =
               areKept(method, scene.heights.size()) ? scene.cache.remember(key, bake) : bake();
-          return std::make_shared<const std::vector<render::GpuBake>>(
-              render::gpuBakes(method, stored, from));
+          return render::gpuBakes(method, stored, from);
         },
         bytesOfAll);
   });

@@ -10,8 +10,8 @@
 
 namespace gnomon::study {
 
-/// The tables that a method bakes by its own functions: what the store or the cache has of them,
-/// else baked, as part of the stage "bake". Null for a method without any.
+/// The tables that a method bakes by its own functions: what the cache has of them, else baked,
+/// as part of the stage "bake". Null for a method without any.
 /// @param tables  those that the method declares beside them
 /// @throws InputError as render::BakePass
 std::shared_ptr<const std::vector<render::GpuBake>> methodBakes(RunScene& scene,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -15,7 +16,6 @@
 #include "study/run/scene/environment.h"
 #include "study/run/scene/run_keys.h"
 #include "study/run/scene/sample_axes.h"
-#include "study/run/scene/scene_store.h"
 #include "study/run/scene/view_map.h"
 #include "study/spec/study_file.h"
 #include "surface/limit_surface.h"
@@ -23,6 +23,9 @@
 #include "surface/texture_layout.h"
 
 namespace gnomon::study {
+
+/// What a compiled shader takes in the driver, about.
+constexpr std::uint64_t programBytes = 1 << 20;
 
 /// The horizon and distance table of one bake on the GPU, in the bits of one method.
 struct TablePair {
@@ -40,12 +43,8 @@ class TableSet {
   /// All must outlive it.
   /// @param texelsPerHeight  of the frame of angles (texel_scale.h)
   TableSet(const relief::HeightField& field, double texelsPerHeight, cache::Cache& cache,
-           SceneStore& store, const RunKeys& keys)
-      : field_(field),
-        texelsPerHeight_(texelsPerHeight),
-        cache_(cache),
-        store_(store),
-        keys_(keys) {}
+           const RunKeys& keys)
+      : field_(field), texelsPerHeight_(texelsPerHeight), cache_(cache), keys_(keys) {}
 
   /// @param clock  of the stages "bake" and "tables"
   const TablePair& tables(const BakeSpec& spec, StageClock& clock);
@@ -64,7 +63,6 @@ class TableSet {
   const relief::HeightField& field_;
   double texelsPerHeight_;
   cache::Cache& cache_;
-  SceneStore& store_;
   const RunKeys& keys_;
   // By the settings that enter each, see settingsKey.
   std::map<cache::ContentKey, std::shared_ptr<const horizon::HorizonTables>> bakes_;
@@ -87,18 +85,16 @@ horizon::HorizonTables keptHorizons(cache::Cache& cache, const relief::HeightFie
 /// for; references stay valid while the scene lives.
 struct RunScene {
   /// @param clock  of the stages "surface", "samples", "bake" and "tables"; outlives the scene
-  /// @param kept   results of earlier runs; outlives the scene
-  /// @param held   what earlier scenes of this process left in memory; likewise
+  /// @param kept   what earlier runs and scenes left; outlives the scene
   RunScene(const StudySpec& of, StageClock& stageClock, const render::GlContext& gl,
-           cache::Cache& kept, SceneStore& held);
+           cache::Cache& kept);
 
   const StudySpec& study;
   StageClock& clock;
   cache::Cache& cache;
-  SceneStore& store;
   std::filesystem::path shaders;
   RunKeys keys;
-  std::shared_ptr<const surface::LimitSurface> heldSurface;
+  std::shared_ptr<const surface::LimitSurface> ownedSurface;
   const surface::LimitSurface& surface;
   std::shared_ptr<const surface::TextureLayout> layout;  ///< of the surface
   double texelsPerHeight;                                ///< of the frame of angles (texel_scale.h)
