@@ -139,7 +139,6 @@ void requireCopyOrNothing(const fs::path& file) {
       file.string()));
 }
 
-namespace fs = std::filesystem;
 namespace {
 
 using Kind = InputRecord::Kind;

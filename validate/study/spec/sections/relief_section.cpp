@@ -35,19 +35,6 @@ relief::HeightField heightsOf(const PatternMap& map, const ReliefSection& relief
       map.pattern);
 }
 
-relief::HeightField heightsOf(const SolidMap& map, const ReliefSection& relief,
-                              const surface::Cage& cage) {
-  return relief::makeSolidMap(surface::LimitSurface(cage), map.texels.x, map.texels.y,
-                              relief::solidFunction(map.solid), relief.height, relief.wrap);
-}
-
-relief::HeightField heightsOf(const ProjectedMap& map, relief::HeightField image,
-                              const ReliefSection& relief, const surface::Cage& cage) {
-  return relief::makeSolidMap(surface::LimitSurface(cage), map.texels.x, map.texels.y,
-                              relief::triplanar(std::move(image), map.period), relief.height,
-                              relief.wrap);
-}
-
 void requireOneRepeat(const TomlReader& section, const ReliefSection& relief) {
   if (relief.repeats == Vec2(1)) return;
   section.fail("repeats",
@@ -122,7 +109,8 @@ std::optional<std::string> heightsFault(const relief::HeightField& field) {
 }
 
 relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
-                        const std::filesystem::path& folder, const surface::Cage& cage) {
+                        const std::filesystem::path& folder, const surface::Cage& cage,
+                        const std::function<const surface::LimitSurface&()>& limit) {
   const auto imageAt = [&](const ImageMap& image, double height) {
     return relief::readHeightImage(
         namedFile(section, "image", folder),
@@ -133,12 +121,19 @@ relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
                    return section.blame("texels", [&] { return heightsOf(map, relief); });
                  },
                  [&](const SolidMap& map) {
-                   return section.blame("solid", [&] { return heightsOf(map, relief, cage); });
+                   return section.blame("solid", [&] {
+                     return relief::makeSolidMap(limit(), map.texels.x, map.texels.y,
+                                                 relief::solidFunction(map.solid), relief.height,
+                                                 relief.wrap);
+                   });
                  },
                  [&](const ProjectedMap& map) {
                    relief::HeightField image = imageAt(map.image, 1);
-                   return section.blame(
-                       "period", [&] { return heightsOf(map, std::move(image), relief, cage); });
+                   return section.blame("period", [&] {
+                     return relief::makeSolidMap(limit(), map.texels.x, map.texels.y,
+                                                 relief::triplanar(std::move(image), map.period),
+                                                 relief.height, relief.wrap);
+                   });
                  },
                  [&](const ImageMap& map) { return imageAt(map, relief.height); }},
       relief.map);
