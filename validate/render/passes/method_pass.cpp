@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
@@ -18,58 +17,6 @@
 namespace gnomon::render {
 namespace fs = std::filesystem;
 namespace {
-
-/// What mask.frag writes, and where it writes nothing.
-constexpr std::uint8_t testShadowed = 1;
-constexpr std::uint8_t drawnShadowed = 2;
-constexpr std::uint8_t noAnswer = 4;
-constexpr std::uint8_t metOtherChart = 8;
-constexpr int firstFault = 4;  // the first bit of AnswerFault
-
-double share(std::ptrdiff_t some, std::ptrdiff_t all) {
-  return all > 0 ? static_cast<double>(some) / static_cast<double>(all) : 0;
-}
-
-Mask maskOf(const RenderView& view, const std::vector<std::uint8_t>& answers, std::uint8_t bit) {
-  Mask mask{view.width, view.height, std::vector<Shade>(answers.size())};
-  // Without a branch, so that many are done at once.
-  std::transform(answers.begin(), answers.end(), mask.samples.begin(), [bit](std::uint8_t answer) {
-    const Shade shade = (answer & bit) == 0 ? Shade::lit : Shade::shadowed;
-    return answer == noAnswer ? Shade::none : shade;
-  });
-  return mask;
-}
-
-/// A sample's shares are 0 to 1, its texels 0 or more; this is where there is no sample. What is no
-/// answer is less, by its AnswerFault.
-constexpr float noShare = -1;
-
-/// The samples whose value tells faults.
-/// @param faultsOf  of a value; 0 for none
-template <typename Value, typename FaultsOf>
-std::vector<FaultySample> faultySamples(const std::vector<Value>& values,
-                                        const FaultsOf& faultsOf) {
-  std::vector<FaultySample> faulty;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto faults = static_cast<std::uint8_t>(faultsOf(values[i]));
-    if (faults != 0) faulty.push_back({i, faults});
-  }
-  return faulty;
-}
-
-Visibility visibilityOf(const RenderView& view, std::vector<float> shares) {
-  std::replace(shares.begin(), shares.end(), noShare, noSample);
-  return {view.width, view.height, std::move(shares)};
-}
-
-Visibility visibilityOf(const Mask& mask) {
-  Visibility visibility{mask.width, mask.height, std::vector<float>(mask.size(), noSample)};
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (mask.samples[i] == Shade::none) continue;
-    visibility.shares[i] = mask.samples[i] == Shade::lit ? 1.0F : 0.0F;
-  }
-  return visibility;
-}
 
 /// A pass that resolves texels keeps its values in the bits of the angles that it reads; without
 /// any, in floats. Where charts overlap, always in floats: fewer bits do not hold charts' numbers.
@@ -251,17 +198,13 @@ class MethodPass::Frame {
     drawLightPasses();
     drawView();
   }
+  void drawBy(const FrameDrawer& drawer) const {
+    if (!drawer) return draw();
+    drawer([this] { draw(); });
+  }
 
   [[nodiscard]] MethodAnswers masks() const {
-    const auto bits = answers_.read<std::uint8_t>(0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1);
-    const auto met = std::count_if(bits.begin(), bits.end(), [](std::uint8_t answer) {
-      return (answer & metOtherChart) != 0;
-    });
-    const auto samples = std::count_if(bits.begin(), bits.end(),
-                                       [](std::uint8_t answer) { return answer != noAnswer; });
-    return {maskOf(view_, bits, drawnShadowed), maskOf(view_, bits, testShadowed),
-            share(met, samples),
-            faultySamples(bits, [](std::uint8_t answer) { return answer >> firstFault; })};
+    return answersOf(view_, answers_.read<std::uint8_t>(0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1));
   }
 
   /// What a program counts for every sample's answer, once its passes are drawn; `noShare` where
@@ -275,16 +218,9 @@ class MethodPass::Frame {
   }
 
   [[nodiscard]] VisibilityAnswers shares() const {
-    const auto drawn = answers_.read<float>(0, GL_RED, GL_FLOAT, 1);
-    std::vector<float> test = answers_.read<float>(1, GL_RED, GL_FLOAT, 1);
-    std::vector<FaultySample> faulty = faultySamples(
-        test, [](float value) { return value < noShare ? std::lround(noShare - value) : 0; });
-    for (const FaultySample& sample : faulty) test[sample.sample] = 0;
-    const auto met = answers_.read<std::uint8_t>(2, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1);
-    const auto samples =
-        std::count_if(drawn.begin(), drawn.end(), [](float answer) { return answer != noShare; });
-    return {visibilityOf(view_, drawn), visibilityOf(view_, std::move(test)),
-            share(std::count(met.begin(), met.end(), std::uint8_t{1}), samples), std::move(faulty)};
+    return answersOf(view_, answers_.read<float>(0, GL_RED, GL_FLOAT, 1),
+                     answers_.read<float>(1, GL_RED, GL_FLOAT, 1),
+                     answers_.read<std::uint8_t>(2, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1));
   }
 
  private:
@@ -459,27 +395,13 @@ class MethodPass::Frame {
   const Target& answers_;
 };
 
-namespace {
-
-/// @param drawer  that of MethodPass::render
-template <typename Frame>
-void drawBy(const FrameDrawer& drawer, const Frame& frame) {
-  if (drawer) {
-    drawer([&] { frame.draw(); });
-  } else {
-    frame.draw();
-  }
-}
-
-}  // namespace
-
 MethodAnswers MethodPass::render(const RenderView& view, const Drawing& drawing,
                                  const GpuTables& tables, const FrameDrawer& drawer) const {
   // The light's centre alone: its disc is for renderVisibility.
   Drawing point = drawing;
   point.light.radius = 0;
   const Frame frame(*this, view, point, tables);
-  drawBy(drawer, frame);
+  frame.drawBy(drawer);
   hasDrawnMask_ = true;
   MethodAnswers answers = frame.masks();
   throwOnGlError("rendering a method's mask");
@@ -489,13 +411,9 @@ MethodAnswers MethodPass::render(const RenderView& view, const Drawing& drawing,
 VisibilityAnswers MethodPass::renderVisibility(const RenderView& view, const Drawing& drawing,
                                                const GpuTables& tables,
                                                const FrameDrawer& drawer) const {
-  if (!answersInShares(drawing)) {
-    MethodAnswers answers = render(view, drawing, tables, drawer);
-    return {visibilityOf(answers.drawn), visibilityOf(answers.test), answers.otherChartShare,
-            std::move(answers.faulty)};
-  }
+  if (!answersInShares(drawing)) return asShares(render(view, drawing, tables, drawer));
   const Frame frame(*this, view, drawing, tables);
-  drawBy(drawer, frame);
+  frame.drawBy(drawer);
   hasDrawnShares_ = true;
   VisibilityAnswers answers = frame.shares();
   throwOnGlError("rendering a method's shares of light");
