@@ -9,10 +9,10 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/vec.h"
-#include "study/spec/method_replacement.h"
+#include "study/spec/method_changes.h"
 #include "study/spec/sections/study_paths.h"
 #include "study/spec/study_file.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::app {
 namespace fs = std::filesystem;

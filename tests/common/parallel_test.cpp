@@ -7,11 +7,9 @@
 #include <thread>
 #include <vector>
 
-#include "common/alongside.h"
 #include "common/error.h"
 #include "common/parallel.h"
 #include "common/progress.h"
-#include "common/work_beside.h"
 
 namespace gnomon {
 namespace {

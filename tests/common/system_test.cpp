@@ -15,10 +15,9 @@
 #include <sstream>
 
 #include "common/error.h"
-#include "common/system/child_process.h"
-#include "common/system/interruption.h"
 #include "common/system/memory.h"
 #include "common/system/own_files.h"
+#include "common/system/process.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 
 #include "compare/metric.h"
 #include "end_to_end/support/suite_scenes.h"
-#include "study/run/scene/sample_axes.h"
+#include "study/run/scene/view_samples.h"
 
 // docs/summary.md names every key and column that a run writes, and no other.
 

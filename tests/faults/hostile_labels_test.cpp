@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "common/text/words.h"
+#include "common/text.h"
 #include "faults/shell_run.h"
 #include "support/lines.h"
 #include "support/test_length.h"

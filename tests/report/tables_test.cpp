@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "compare/share_metrics.h"
+#include "compare/answer_metrics.h"
 #include "report/json/summary_json.h"
 #include "report/page/report_html.h"
 #include "report/page/terminal_report.h"
@@ -25,7 +25,7 @@
 #include "report/tables/formats/text_formats.h"
 #include "report/tables/ranked_table.h"
 #include "report/text/text_width.h"
-#include "study/record/result_metrics.h"
+#include "study/record/cases.h"
 #include "support/lines.h"
 
 namespace gnomon::report {

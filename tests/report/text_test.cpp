@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "common/error.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "report/ci/terminal_check.h"
 #include "report/json/json_values.h"
 #include "report/plots/gnuplot.h"

@@ -15,7 +15,6 @@
 #include "cache/cache_folder.h"
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "common/files/part_file.h"
 #include "common/system/memory.h"
 
 namespace gnomon::cache {

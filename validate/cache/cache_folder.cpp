@@ -16,7 +16,6 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "common/files/part_file.h"
 
 namespace gnomon::cache {
 

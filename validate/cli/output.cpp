@@ -17,7 +17,7 @@
 #include <system_error>
 
 #include "common/progress.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "report/ci/job_summary.h"
 
 namespace gnomon::cli {

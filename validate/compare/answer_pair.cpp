@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "compare/mask_metrics.h"
+#include "compare/answer_metrics.h"
 
 namespace gnomon::compare {
 

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "common/parallel.h"
+#include "compare/answer_metrics.h"
 #include "compare/answer_pair.h"
 #include "compare/contour.h"
-#include "compare/mask_metrics.h"
 
 namespace gnomon::compare {
 namespace {

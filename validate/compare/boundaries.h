@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/mask.h"
-#include "compare/mask_metrics.h"
+#include "compare/answer_metrics.h"
 #include "compare/metric.h"
 
 namespace gnomon::compare {

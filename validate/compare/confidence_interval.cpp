@@ -12,9 +12,9 @@
 
 #include "common/error.h"
 #include "common/random_stream.h"
+#include "compare/answer_metrics.h"
 #include "compare/answer_pair.h"
 #include "compare/counts.h"
-#include "compare/mask_metrics.h"
 
 namespace gnomon::compare {
 

@@ -10,7 +10,7 @@
 
 #include "common/error.h"
 #include "common/system/memory.h"
-#include "compare/mask_metrics.h"
+#include "compare/answer_metrics.h"
 
 namespace gnomon::compare {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/mask.h"
-#include "compare/mask_metrics.h"
+#include "compare/answer_metrics.h"
 
 namespace gnomon::compare {
 

@@ -19,8 +19,8 @@ enum class MetricKind {
   rate,      ///< counts of samples: counts.h
   boundary,  ///< the boundaries of shadows: boundaries.h
   length,    ///< shadows along the light: shadow_length.h
-  share,     ///< shares of a light's disc: share_metrics.h
-  penumbra,  ///< the widths of penumbrae: share_metrics.h
+  share,     ///< shares of a light's disc: answer_metrics.h
+  penumbra,  ///< the widths of penumbrae: answer_metrics.h
 };
 
 /// It decides a metric's range (metricRange) and how it is written.

@@ -11,8 +11,8 @@
 #include "common/lists.h"
 #include "common/parallel.h"
 #include "common/vec.h"
+#include "compare/answer_metrics.h"
 #include "compare/answer_pair.h"
-#include "compare/mask_metrics.h"
 
 namespace gnomon::compare {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "common/files/input_file.h"
 #include "export/mesh_files.h"
-#include "export/sample_map.h"
 #include "export/truth_files.h"
 #include "render/gpu_scene.h"
 #include "report/json/json_values.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "displaced/welded_mesh.h"
+#include "displaced/displaced_mesh.h"
 #include "report/run_folder.h"
 #include "study/run/run_study.h"
 #include "study/run/scene/run_scene.h"

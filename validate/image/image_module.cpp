@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "common/system/own_files.h"
-#include "common/text/words.h"
+#include "common/text.h"
 
 namespace gnomon::image {
 namespace fs = std::filesystem;

@@ -11,7 +11,6 @@
 
 #include "common/error.h"
 #include "image/grey_picture.h"
-#include "image/image.h"
 #include "image/images.h"
 
 namespace gnomon::image {

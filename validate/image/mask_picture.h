@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/mask.h"
-#include "image/image.h"
+#include "image/images.h"
 
 namespace gnomon::image {
 

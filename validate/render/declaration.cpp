@@ -11,8 +11,7 @@
 #include <utility>
 
 #include "common/error.h"
-#include "common/text/toml_nesting.h"
-#include "common/text/words.h"
+#include "common/text.h"
 
 namespace gnomon::render {
 

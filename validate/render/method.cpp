@@ -15,7 +15,7 @@
 #include "common/error.h"
 #include "common/system/memory.h"
 #include "render/declaration.h"
-#include "render/glsl_text.h"
+#include "render/shader_files.h"
 
 namespace gnomon::render {
 

@@ -17,8 +17,8 @@
 
 #include "common/error.h"
 #include "common/lists.h"
-#include "common/text/words.h"
-#include "render/glsl_text.h"
+#include "common/text.h"
+#include "render/shader_files.h"
 
 namespace gnomon::render {
 

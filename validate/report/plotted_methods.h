@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 #include "study/judge/suite/suite_statistics.h"
 
 namespace gnomon::report {

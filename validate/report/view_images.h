@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "image/image.h"
 #include "image/images.h"
 #include "truth/shadow_tracer.h"
 

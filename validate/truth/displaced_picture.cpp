@@ -5,7 +5,7 @@
 
 #include "common/parallel.h"
 #include "common/progress.h"
-#include "truth/flush_denormals.h"
+#include "truth/embree.h"
 
 namespace gnomon::truth {
 

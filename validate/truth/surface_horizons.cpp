@@ -12,7 +12,7 @@
 #include "common/progress.h"
 #include "common/system/memory.h"
 #include "surface/texel_frame.h"
-#include "truth/flush_denormals.h"
+#include "truth/embree.h"
 
 namespace gnomon::truth {
 namespace {

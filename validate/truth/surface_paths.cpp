@@ -12,7 +12,7 @@
 #include "common/parallel.h"
 #include "surface/face_grids.h"
 #include "surface/texel_frame.h"
-#include "truth/flush_denormals.h"
+#include "truth/embree.h"
 
 namespace gnomon::truth {
 

@@ -12,7 +12,7 @@
 #include "common/mask.h"
 #include "common/parallel.h"
 #include "common/progress.h"
-#include "truth/flush_denormals.h"
+#include "truth/embree.h"
 
 namespace gnomon::truth {
 

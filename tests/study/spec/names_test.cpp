@@ -8,11 +8,11 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "study/spec/method_replacement.h"
+#include "study/spec/method_changes.h"
 #include "study/spec/sections/study_paths.h"
 #include "study/spec/study_file.h"
 #include "study/spec/study_sections.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 #include "support/error_messages.h"
 
 namespace gnomon::study {

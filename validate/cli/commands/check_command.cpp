@@ -17,7 +17,7 @@
 #include "cli/study_plans.h"
 #include "common/files/atomic_file.h"
 #include "common/lists.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "compare/metric.h"
 #include "report/ci/job_summary.h"
 #include "report/ci/junit.h"

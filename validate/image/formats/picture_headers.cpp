@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "image/image_reader.h"
+#include "image/image_module.h"
 
 namespace gnomon::image {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "image/image_format.h"
-#include "image/image_reader.h"
+#include "image/image_module.h"
 
 namespace gnomon::image {
 

@@ -20,7 +20,7 @@ struct BakeScene {
   const GpuHeights& heights;
   relief::Wrap wrap;
   relief::HeightSpace heightSpace;
-  double texelsPerHeight;  ///< of the frame of angles (texel_scale.h)
+  double texelsPerHeight;  ///< of the frame of angles (angle_table.h)
 };
 
 /// The functions of a method that bake its own tables, compiled.

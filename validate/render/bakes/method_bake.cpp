@@ -13,7 +13,7 @@
 #include "render/declaration.h"
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
-#include "render/glsl_text.h"
+#include "render/shader_files.h"
 
 namespace gnomon::render {
 

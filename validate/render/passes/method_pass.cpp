@@ -11,8 +11,8 @@
 #include "common/system/memory.h"
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
-#include "render/glsl_text.h"
 #include "render/passes/method_program.h"
+#include "render/shader_files.h"
 
 namespace gnomon::render {
 namespace fs = std::filesystem;

@@ -8,9 +8,9 @@
 
 #include "common/error.h"
 #include "render/gl_objects.h"
-#include "render/glsl_text.h"
 #include "render/passes/drawing.h"
 #include "render/program.h"
+#include "render/shader_files.h"
 #include "render/shared_names.h"
 
 namespace gnomon::render {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "render/declaration.h"
-#include "render/glsl_text.h"
+#include "render/shader_files.h"
 
 namespace gnomon::render {
 namespace {

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "common/parallel.h"
-#include "render/glsl_text.h"
 #include "render/passes/method_program.h"
+#include "render/shader_files.h"
 
 namespace gnomon::render {
 

@@ -11,13 +11,13 @@
 #include <utility>
 
 #include "common/error.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "image/grey_picture.h"
 #include "image/images.h"
 #include "report/text/gate_text.h"
 #include "report/text/html.h"
 #include "report/text/text_width.h"
-#include "study/judge/baseline.h"
+#include "study/judge/gates.h"
 
 namespace gnomon::report {
 

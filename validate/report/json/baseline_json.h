@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "study/judge/baseline.h"
+#include "study/judge/gates.h"
 
 namespace gnomon::report {
 

@@ -10,7 +10,7 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/lists.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "report/text/gate_text.h"
 #include "report/text/number_text.h"
 #include "report/view_images.h"

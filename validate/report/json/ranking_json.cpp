@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "common/text/sha256.h"
+#include "common/files/input_file.h"
 #include "report/json/json_values.h"
 #include "report/tables/cost_table.h"
 #include "report/text/gate_text.h"

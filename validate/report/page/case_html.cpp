@@ -16,7 +16,7 @@
 #include "report/text/glossary.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 #include "study/spec/sections/study_paths.h"
 
 namespace gnomon::report {

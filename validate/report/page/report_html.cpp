@@ -19,7 +19,7 @@
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 #include "study/judge/distinguish.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 
 namespace gnomon::report {
 

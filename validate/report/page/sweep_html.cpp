@@ -18,7 +18,6 @@
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 #include "study/judge/ranking.h"
-#include "study/judge/study_means.h"
 
 namespace gnomon::report {
 namespace {

@@ -17,7 +17,7 @@
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 #include "report/text/terminal_page.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 
 namespace gnomon::report {
 namespace {

@@ -15,7 +15,6 @@
 #include "report/tables/sweep_tables.h"
 #include "report/text/text_width.h"
 #include "study/judge/ranking.h"
-#include "study/judge/study_means.h"
 
 namespace gnomon::report {
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "common/lists.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "compare/counts.h"
 #include "report/suite/suite_tables.h"
 #include "report/tables/ranked_table.h"
@@ -16,7 +16,7 @@
 #include "report/text/confidence_text.h"
 #include "report/text/latex_text.h"
 #include "report/text/number_text.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 #include "study/record/cases.h"
 
 namespace gnomon::report {

@@ -16,8 +16,8 @@
 #include <utility>
 
 #include "common/error.h"
-#include "common/system/child_process.h"
-#include "common/text/words.h"
+#include "common/system/process.h"
+#include "common/text.h"
 #include "report/text/html.h"
 
 namespace gnomon::report {

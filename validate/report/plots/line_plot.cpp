@@ -11,7 +11,7 @@
 #include "report/plots/gnuplot.h"
 #include "report/text/number_text.h"
 #include "report/text/text_width.h"
-#include "study/run/scene/sample_axes.h"
+#include "study/run/scene/view_samples.h"
 
 namespace gnomon::report {
 

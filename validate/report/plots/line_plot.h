@@ -10,7 +10,7 @@
 #include "compare/confidence_interval.h"
 #include "render/method.h"
 #include "report/plots/drawn_plots.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 #include "study/judge/suite/suite_statistics.h"
 
 namespace gnomon::report {

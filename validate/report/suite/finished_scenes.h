@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 #include "study/judge/suite/chosen_settings.h"
 
 namespace gnomon::report {

@@ -18,7 +18,7 @@
 #include "report/text/confidence_text.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::report {
 

@@ -11,7 +11,7 @@
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 #include "study/judge/distinguish.h"
-#include "study/record/result_metrics.h"
+#include "study/record/cases.h"
 
 namespace gnomon::report {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "common/text/words.h"
+#include "common/text.h"
 
 namespace gnomon::report {
 namespace {

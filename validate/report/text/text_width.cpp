@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/text/words.h"
+#include "common/text.h"
 
 namespace gnomon::report {
 

@@ -8,7 +8,6 @@
 #include "horizon/horizon_bake.h"
 #include "render/shader_files.h"
 #include "study/judge/gates.h"
-#include "study/run/driver_faults.h"
 #include "study/run/method_trial.h"
 #include "study/run/notices.h"
 #include "study/run/scene/cached_fields.h"
@@ -18,10 +17,10 @@
 #include "study/run/scene/run_scene.h"
 #include "study/run/scene/truth_stage.h"
 #include "study/run/stages/budget.h"
+#include "study/run/stages/confidence.h"
 #include "study/run/stages/cost_stage.h"
-#include "study/run/stages/ladder_stage.h"
 #include "study/run/stages/panel_pictures.h"
-#include "study/spec/method_replacement.h"
+#include "study/spec/method_changes.h"
 
 namespace gnomon::study {
 

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "horizon/table_file.h"
+#include "horizon/stored_table.h"
 #include "render/gl_context.h"
 #include "study/record/record.h"
 #include "study/run/scene/environment.h"

@@ -9,14 +9,13 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
-#include "common/text/sha256.h"
 #include "render/method.h"
 #include "render/shader_files.h"
-#include "study/spec/mask_files.h"
-#include "study/spec/method_replacement.h"
+#include "study/spec/method_changes.h"
+#include "study/spec/sections/method_section.h"
 #include "study/spec/sections/study_paths.h"
 #include "study/spec/study_file.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 

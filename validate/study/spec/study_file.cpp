@@ -10,14 +10,12 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
-#include "relief/patch_border.h"
+#include "relief/relief.h"
 #include "render/shader_files.h"
-#include "study/spec/method_replacement.h"
+#include "study/spec/method_changes.h"
 #include "study/spec/sections/study_paths.h"
 #include "study/spec/study_sections.h"
-#include "study/spec/study_work.h"
-#include "study/spec/toml/toml_reader.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 #include "truth/visibility_tracer.h"
 
 namespace gnomon::study {

@@ -8,7 +8,7 @@
 
 #include "common/camera.h"
 #include "study/run/scene/environment.h"
-#include "study/run/scene/view_map.h"
+#include "study/run/scene/view_samples.h"
 #include "surface/base_mesh.h"
 #include "truth/truth_scenes.h"
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "common/text/words.h"
+#include "common/text.h"
 #include "report/text/latex_text.h"
 
 namespace gnomon::report {

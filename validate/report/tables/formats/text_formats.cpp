@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "common/text/words.h"
+#include "common/text.h"
 #include "report/text/confidence_text.h"
 #include "report/text/number_text.h"
 #include "report/text/text_width.h"

@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "common/lists.h"
 #include "compare/scenes/comparisons.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 

@@ -9,8 +9,8 @@
 #include "common/system/memory.h"
 #include "render/passes/drawing.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/run/scene/view_map.h"
-#include "study/spec/method_replacement.h"
+#include "study/run/scene/view_samples.h"
+#include "study/spec/method_changes.h"
 
 namespace gnomon::study {
 namespace {

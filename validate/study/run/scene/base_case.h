@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cache/cache.h"
-#include "common/alongside.h"
-#include "compare/mask_metrics.h"
+#include "common/parallel.h"
+#include "compare/answer_metrics.h"
 #include "render/gpu_scene.h"
 #include "render/method.h"
 #include "study/run/scene/run_keys.h"

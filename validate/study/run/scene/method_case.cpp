@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "common/error.h"
-#include "compare/mask_metrics.h"
+#include "compare/answer_metrics.h"
 #include "render/passes/drawing.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/run/scene/method_bakes.h"
+#include "study/run/scene/run_scene.h"
 #include "truth/surface_horizons.h"
 
 namespace gnomon::study {

@@ -5,11 +5,10 @@
 #include <map>
 #include <utility>
 
-#include "common/alongside.h"
 #include "common/lists.h"
 #include "common/parallel.h"
-#include "compare/bins.h"
 #include "compare/boundaries.h"
+#include "compare/counts.h"
 #include "study/run/scene/truth_stage.h"
 #include "truth/surface_paths.h"
 

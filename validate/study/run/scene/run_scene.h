@@ -7,16 +7,19 @@
 #include <memory>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "cache/cache.h"
 #include "horizon/horizon_bake.h"
+#include "render/bakes/method_bake.h"
 #include "render/gpu_scene.h"
+#include "render/method.h"
 #include "render/passes/method_pass.h"
+#include "render/passes/method_program.h"
 #include "study/run/scene/base_case.h"
 #include "study/run/scene/environment.h"
 #include "study/run/scene/run_keys.h"
-#include "study/run/scene/sample_axes.h"
-#include "study/run/scene/view_map.h"
+#include "study/run/scene/view_samples.h"
 #include "study/spec/study_file.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
@@ -41,7 +44,7 @@ using HorizonShooter = std::function<horizon::AngleTable()>;
 class TableSet {
  public:
   /// All must outlive it.
-  /// @param texelsPerHeight  of the frame of angles (texel_scale.h)
+  /// @param texelsPerHeight  of the frame of angles (angle_table.h)
   TableSet(const relief::HeightField& field, double texelsPerHeight, cache::Cache& cache,
            const RunKeys& keys)
       : field_(field), texelsPerHeight_(texelsPerHeight), cache_(cache), keys_(keys) {}
@@ -97,7 +100,7 @@ struct RunScene {
   std::shared_ptr<const surface::LimitSurface> ownedSurface;
   const surface::LimitSurface& surface;
   std::shared_ptr<const surface::TextureLayout> layout;  ///< of the surface
-  double texelsPerHeight;                                ///< of the frame of angles (texel_scale.h)
+  double texelsPerHeight;                                ///< of the frame of angles (angle_table.h)
   render::GpuHeights heights;
   TableSet tables;
   std::map<MeshChoice, BaseCase> bases;
@@ -135,5 +138,14 @@ struct RunScene {
   };
   LastField last_;
 };
+
+/// The tables that a method bakes by its own functions: what the cache has of them, else baked,
+/// as part of the stage "bake". Null for a method without any.
+/// @param tables  those that the method declares beside them
+/// @throws InputError as render::BakePass
+std::shared_ptr<const std::vector<render::GpuBake>> methodBakes(RunScene& scene,
+                                                                const MethodSpec& spec,
+                                                                const render::Method& method,
+                                                                const render::GpuTables& tables);
 
 }  // namespace gnomon::study

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "common/error.h"
+#include "compare/answer_metrics.h"
 #include "compare/boundaries.h"
-#include "compare/share_metrics.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/spec/method_replacement.h"
+#include "study/spec/method_changes.h"
 #include "truth/shadow_tracer.h"
 #include "truth/surface_paths.h"
 #include "truth/visibility_tracer.h"

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "common/alongside.h"
 #include "common/lists.h"
+#include "common/parallel.h"
 #include "image/images.h"
 #include "render/passes/drawing.h"
 #include "study/run/scene/cached_fields.h"

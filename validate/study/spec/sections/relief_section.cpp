@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "relief/height_image.h"
+#include "relief/height_field.h"
 #include "relief/solid.h"
 #include "study/spec/sections/study_paths.h"
 

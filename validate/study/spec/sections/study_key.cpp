@@ -8,7 +8,7 @@
 
 #include "common/lists.h"
 #include "common/vec.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "cache/content_key.h"
 #include "common/vec.h"
-#include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "common/error.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "study/spec/study_file.h"
-#include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 

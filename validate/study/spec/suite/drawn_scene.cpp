@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "common/text/sha256.h"
-#include "study/spec/suite/distribution.h"
+#include "common/files/input_file.h"
 #include "study/spec/suite/drawn_surface.h"
+#include "study/spec/suite/suite_file.h"
 
 namespace gnomon::study {
 namespace {

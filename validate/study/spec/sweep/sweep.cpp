@@ -10,8 +10,7 @@
 
 #include "common/error.h"
 #include "study/spec/sweep/sweep_cases.h"
-#include "study/spec/toml/toml_reader.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 

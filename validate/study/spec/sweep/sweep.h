@@ -11,7 +11,7 @@
 
 #include "study/record/sweep_record.h"
 #include "study/spec/study_file.h"
-#include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 
