@@ -360,17 +360,17 @@ class InstalledPath : public ::testing::Test {
 
 TEST_F(InstalledPath, IsTheNearestAboveThisCode) {
   fs::create_directories(far / "share/what");
-  EXPECT_EQ(installedPath("share/what"), near / "share/what");
+  EXPECT_EQ(installedFile("share/what"), near / "share/what");
   fs::remove_all(near / "share/what");
-  EXPECT_EQ(installedPath("share/what"), far / "share/what");
+  EXPECT_EQ(installedFile("share/what"), far / "share/what");
   fs::remove_all(far / "share/what");
-  EXPECT_EQ(installedPath("share/what"), std::nullopt);
+  EXPECT_EQ(installedFile("share/what"), std::nullopt);
 }
 
 TEST_F(InstalledPath, HasItsLinksResolved) {
   fs::create_directories(far / "share/what/target");
   fs::create_directory_symlink(far / "share/what/target", near / "share/what/link");
-  EXPECT_EQ(installedPath("share/what/link"), far / "share/what/target");
+  EXPECT_EQ(installedFile("share/what/link"), far / "share/what/target");
 }
 
 }  // namespace

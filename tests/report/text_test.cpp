@@ -279,7 +279,7 @@ TEST(PlainJson, ReadsBackAsTheSameString) {
     EXPECT_THAT(written, Not(HasSubstr("##[")));
     for (std::string_view rest = written; !rest.empty();) {
       const Utf8Character character = firstCharacter(rest);
-      EXPECT_TRUE(character.valid && !turnsDirection(character.code)) << written;
+      EXPECT_TRUE(character.valid && !reversesText(character.code)) << written;
       EXPECT_TRUE(character.code == '\n' || !isControl(character.code)) << written;
       rest.remove_prefix(character.bytes);
     }

@@ -101,19 +101,19 @@ ContentKey Cache::ownKey(const ContentKey& key, HoldsOn where) const {
   return own.key();
 }
 
-fs::path Cache::pathOf(const ContentKey& own) const {
+fs::path Cache::fileOf(const ContentKey& own) const {
   const std::string name = own.text();
   return folder_ / name.substr(0, 2) / (name.substr(2) + ".entry");
 }
 
 bool Cache::holds(const ContentKey& key, HoldsOn where) const {
   std::error_code failure;
-  return isOn() && fs::exists(pathOf(ownKey(key, where)), failure);
+  return isOn() && fs::exists(fileOf(ownKey(key, where)), failure);
 }
 
 std::optional<Cache::Loaded> Cache::load(const ContentKey& own, Counted counted) {
   if (!isOn()) return std::nullopt;
-  const fs::path path = pathOf(own);
+  const fs::path path = fileOf(own);
   Found found = contentOf(path, own, limit_);
   if (!found.isAny) {
     if (counted == Counted::yes) ++misses_;
@@ -139,7 +139,7 @@ void Cache::discard(const ContentKey& own, Counted counted) {
   }
   std::error_code ignored;
   // Whatever stands in an entry's place: the name is the cache's own.
-  fs::remove_all(pathOf(own), ignored);
+  fs::remove_all(fileOf(own), ignored);
 }
 
 void Cache::accountForWritten() {
@@ -155,7 +155,7 @@ void Cache::save(const ContentKey& own, const std::string& content) {
   const std::string file = sealedEntry(own, content);
   const std::lock_guard lock(writing_);
   if (isFull_ || file.size() > limit_) return;
-  const fs::path path = pathOf(own);
+  const fs::path path = fileOf(own);
   std::error_code failure;
   // One that could not be removed: this entry is not kept, others are.
   if (fs::is_directory(fs::symlink_status(path, failure))) return;

@@ -182,7 +182,7 @@ class Cache {
   [[nodiscard]] ContentKey ownKey(const ContentKey& key, HoldsOn where) const;
   /// Removes a damaged entry, and takes back its hit.
   void discard(const ContentKey& own, Counted counted);
-  [[nodiscard]] std::filesystem::path pathOf(const ContentKey& own) const;
+  [[nodiscard]] std::filesystem::path fileOf(const ContentKey& own) const;
   void accountForWritten();
 
   std::filesystem::path folder_;  ///< empty: off

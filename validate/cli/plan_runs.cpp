@@ -200,8 +200,8 @@ void report(const study::StudySpec& study, Records& records, std::size_t own,
 }
 
 /// The same, the reports perhaps while the next step is measured, of a copy.
-void reportBeside(const study::StudySpec& study, Records& records, std::size_t own,
-                  const RunRequest& request, cache::Cache& cache, MeasuredCases& cases) {
+void reportInBackground(const study::StudySpec& study, Records& records, std::size_t own,
+                        const RunRequest& request, cache::Cache& cache, MeasuredCases& cases) {
   records.all[own].claims = study::judgeClaims(study.claims, records.all[own]);
   const std::string& name = records.all[own].name;
   if (!records.folders.holds(name)) return;
@@ -258,7 +258,7 @@ void runSteps(const PlanRecords& part, MeasuredCases& cases, const RunRequest& r
     measureStep(plan, step, cases, request, records);
     if (judgeStep) judgeStep(records.all.back());
     // At once, so that a later failure leaves this one's report.
-    reportBeside(step, records, records.all.size() - 1, request, cache, cases);
+    reportInBackground(step, records, records.all.size() - 1, request, cache, cases);
   }
   reports.finish();
   if (plan.sweep) writeSweep(part, request, cache, records);

@@ -94,7 +94,7 @@ class MeasuredCases {
   const RunRequest& request_;
   cache::Cache& cache_;
   TerminalProgress line_;
-  WorkBeside reports_;
+  BackgroundWork reports_;
 };
 
 /// The records of all steps of all plans of a command, one after the other, and the folders that

@@ -114,7 +114,7 @@ class OnDemand {
 };
 
 /// Work that goes on while its owner does something else, one piece after the other.
-class WorkBeside {
+class BackgroundWork {
  public:
   /// Starts a piece once the former has ended.
   /// @throws what that threw

@@ -60,7 +60,7 @@ std::string oneLine(std::string_view text) {
   line.reserve(text.size());
   while (!text.empty()) {
     const Utf8Character character = firstCharacter(text);
-    if (!character.valid || turnsDirection(character.code)) {
+    if (!character.valid || reversesText(character.code)) {
       line += "\uFFFD";
     } else if (isControl(character.code)) {
       line += ' ';
@@ -116,7 +116,7 @@ bool isControl(std::uint32_t code) {
   return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x2028 || code == 0x2029;
 }
 
-bool turnsDirection(std::uint32_t code) {
+bool reversesText(std::uint32_t code) {
   return (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 

@@ -19,7 +19,8 @@ std::optional<std::string> nearestName(std::string_view typed,
 
 /// The text as one line of UTF-8 that shows what it holds: a message of another library, a piece of
 /// a file or a name, as part of a message or a table. Control characters and ends of lines become
-/// spaces; bytes that are no UTF-8, and characters that turn the direction of what follows, U+FFFD.
+/// spaces; bytes that are no UTF-8, and characters that change the direction of what follows,
+/// U+FFFD.
 std::string oneLine(std::string_view text);
 
 /// A word as a POSIX shell reads it back: itself if it holds nothing but letters, digits and
@@ -42,9 +43,9 @@ bool isUtf8(std::string_view text);
 /// Whether a character is a control character or ends a line: C0, DEL, C1, U+2028 and U+2029.
 bool isControl(std::uint32_t code);
 
-/// Whether a character turns the direction of the text after it (Unicode's embeddings, overrides
+/// Whether a character changes the direction of the text after it (Unicode's embeddings, overrides
 /// and isolates): it could make one word of a line read as another.
-bool turnsDirection(std::uint32_t code);
+bool reversesText(std::uint32_t code);
 
 /// How deep TOML may nest: so many brackets and braces inside of each other, and so many parts of
 /// one dotted key or table header. A study needs no more than five. What nests some ten thousand

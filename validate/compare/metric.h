@@ -32,7 +32,7 @@ enum class MetricUnit {
   count,        ///< of samples
 };
 
-/// What is known of a metric beside its formula.
+/// What is known of a metric apart from its formula.
 struct MetricTraits {
   std::string_view name;  ///< in files, thresholds and tables
   MetricKind kind;
@@ -41,7 +41,7 @@ struct MetricTraits {
 };
 
 /// All metrics, in the order of the columns of metrics.csv. A new one is a row here and a formula
-/// beside those of its kind.
+/// in addition to those of its kind.
 inline constexpr auto metricTraits =
     std::to_array<MetricTraits>({{"error_rate", MetricKind::rate, MetricUnit::share, 0},
                                  {"false_shadow", MetricKind::rate, MetricUnit::share, 0},

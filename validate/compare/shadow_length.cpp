@@ -96,7 +96,7 @@ constexpr unsigned answersBit = 2;
 constexpr unsigned selectedBit = 4;
 constexpr std::size_t firstCandidateBit = 3;
 
-/// How many candidates there is room for beside those.
+/// How many candidates there is room for in addition to those.
 template <typename Word>
 constexpr std::size_t mostCandidatesIn = 8 * sizeof(Word) - firstCandidateBit;
 static_assert(mostCandidatesAtOnce <= mostCandidatesIn<std::uint64_t>);

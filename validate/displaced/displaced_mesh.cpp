@@ -154,7 +154,7 @@ double triangleCount(const surface::LimitSurface& surface, int subdivisions) {
   return 2.0 * subdivisions * subdivisions * surface.faceCount();
 }
 
-/// Refuses a mesh that cannot be numbered or held, before anything of it is made.
+/// Refuses a mesh that cannot be numbered or does not fit in memory, before anything of it is made.
 void requireRoom(const surface::LimitSurface& surface, int subdivisions) {
   const std::string parameter = "subdivisions";
   if (subdivisions < 1 || subdivisions > mostSubdivisions) {

@@ -259,7 +259,7 @@ std::optional<double> uncertaintyIn(const report::JsonReader& view, const fs::pa
 
 /// What an export states of a file; the folder is the export's.
 std::optional<double> uncertaintyBy(const fs::path& index, const fs::path& file) {
-  if (!pathExists(index)) return std::nullopt;
+  if (!isThere(index)) return std::nullopt;
   const report::Json json = report::readJson(index);
   const report::JsonReader root(json, index.string(), "");
   const fs::path folder = index.parent_path();

@@ -7,7 +7,7 @@
 #include "report/run_folder.h"
 #include "study/run/run_study.h"
 #include "study/run/scene/run_scene.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 
 namespace gnomon::exporting {
 

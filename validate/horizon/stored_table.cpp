@@ -102,8 +102,8 @@ namespace fs = std::filesystem;
 constexpr int mostAzimuths = 1000;  // three digits in a channel's name
 constexpr int rowsAtOnce = 16;      // what EXR's zip compression packs together
 
-[[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
-  throw InputError(fmt::format("{}: {}", path.string(), oneLine(reason)));
+[[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
+  throw InputError(fmt::format("{}: {}", file.string(), oneLine(reason)));
 }
 
 /// How one entry of a table lies in the file. Converted by hand, since the image library scales
@@ -141,12 +141,12 @@ std::uint32_t wordFromEntry(const std::uint8_t* entry, TableBits bits) {
   return word;
 }
 
-void checkConsistent(const fs::path& path, const StoredHorizons& tables) {
+void checkConsistent(const fs::path& file, const StoredHorizons& tables) {
   const std::size_t entries = tables.entries();
   if (tables.width < 1 || tables.height < 1 || tables.layers < 1 || tables.layers > mostAzimuths ||
       tables.horizon.bits != tables.distance.bits || tables.horizon.entryCount() != entries ||
       tables.distance.entryCount() != entries) {
-    refuse(path,
+    refuse(file,
            fmt::format("cannot hold tables of {} x {} texels and {} azimuths with {} and {} "
                        "entries: both of width x height x azimuths entries of the same bits "
                        "and at most {} azimuths expected",
@@ -191,8 +191,8 @@ void gatherRows(const StoredHorizons& tables, int top, int rows, std::vector<std
   }
 }
 
-bool isExrName(const fs::path& path) {
-  std::string ending = path.extension().string();
+bool isExrName(const fs::path& file) {
+  std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending == ".exr";
@@ -200,16 +200,16 @@ bool isExrName(const fs::path& path) {
 
 }  // namespace
 
-void writeHorizons(const fs::path& path, const StoredHorizons& tables) {
-  checkConsistent(path, tables);
-  if (!isExrName(path)) refuse(path, "a name that ends in .exr expected");
+void writeHorizons(const fs::path& file, const StoredHorizons& tables) {
+  checkConsistent(file, tables);
+  if (!isExrName(file)) refuse(file, "a name that ends in .exr expected");
   std::vector<std::uint32_t> buffer(static_cast<std::size_t>(tables.width) * 2 *
                                     static_cast<std::size_t>(tables.layers) * rowsAtOnce);
   const auto rows = [&](int top, int count) {
     gatherRows(tables, top, count, buffer);
     return buffer.data();
   };
-  image::writeExr(path, describe(tables), {bufferType(tables.horizon.bits), rowsAtOnce, rows});
+  image::writeExr(file, describe(tables), {bufferType(tables.horizon.bits), rowsAtOnce, rows});
 }
 
 }  // namespace gnomon::horizon

@@ -86,6 +86,6 @@ struct StoredHorizons : TableShape {
 /// image. The file is written whole or not at all.
 /// @throws InputError naming the file: a name without .exr, tables of unlike sizes or over 1000
 ///   azimuths; one that cannot be written
-void writeHorizons(const std::filesystem::path& path, const StoredHorizons& horizons);
+void writeHorizons(const std::filesystem::path& file, const StoredHorizons& horizons);
 
 }  // namespace gnomon::horizon

@@ -95,21 +95,21 @@ struct PictureChannel {
 /// pixels is treated as `meaningTable` has it.
 ///
 /// The channel is the one named, in whichever part of the file it is, or the one of that number in
-/// the first part: without alpha. Without either it is the first part's: its only channel beside
-/// alpha, or its three where they are equal; values that the file holds multiplied by alpha are
-/// divided by it, where that is not 0.
+/// the first part: without alpha. Without either it is the first part's: its only channel apart
+/// from alpha, or its three where they are equal; values that the file holds multiplied by alpha
+/// are divided by it, where that is not 0.
 ///
 /// The picture is the file's display window.
 /// @throws InputError naming the file: missing, of another format, unreadable, deep or of several
 ///   layers of depth, refused by the table, no such channel, no channel that is the one, or three
 ///   that differ (naming the first pixel); MemoryError where it would not fit
-GreyPicture readGreyPicture(const std::filesystem::path& path, const PictureChannel& channel,
+GreyPicture readGreyPicture(const std::filesystem::path& file, const PictureChannel& channel,
                             PictureUse use);
 
 /// A mask's, by name.
-inline GreyPicture readGreyPicture(const std::filesystem::path& path,
+inline GreyPicture readGreyPicture(const std::filesystem::path& file,
                                    const std::string& channel = {}) {
-  return readGreyPicture(path, {channel, {}}, PictureUse::mask);
+  return readGreyPicture(file, {channel, {}}, PictureUse::mask);
 }
 
 }  // namespace gnomon::image

@@ -112,7 +112,7 @@ class ImageReader {
   virtual void readRows(int rows, int first, int end, float* values) = 0;
 };
 
-/// What a file's header says beside the pixels, by name.
+/// What a file's header says apart from the pixels, by name.
 using ImageAttributes = std::map<std::string, std::variant<int, float, std::string>>;
 
 /// An EXR to be written.

@@ -55,13 +55,13 @@ struct ChannelImage {
 
 /// Writes an EXR, whole or not at all. Same numbers, same bytes.
 /// @throws InputError when the file cannot be written
-void writeExr(const std::filesystem::path& path, const ExrDescription& description,
+void writeExr(const std::filesystem::path& file, const ExrDescription& description,
               const ImageRows& rows);
 
 /// Likewise, of floats.
 /// @param attributes  names and texts for the file's header
 /// @throws InternalError also, for values that do not fill the picture
-void writeExr(const std::filesystem::path& path, const ChannelImage& image,
+void writeExr(const std::filesystem::path& file, const ChannelImage& image,
               const ImageAttributes& attributes = {});
 
 /// The bytes of that file.
@@ -108,9 +108,9 @@ std::string pngOf(const GreyImage& image);
 
 /// Writes that PNG, whole or not at all.
 /// @throws InputError when the file cannot be written, InternalError as pngOf
-void writePng(const std::filesystem::path& path, const Image& image);
-void writePng(const std::filesystem::path& path, const ByteImage& image);
-void writePng(const std::filesystem::path& path, const PaletteImage& image);
+void writePng(const std::filesystem::path& file, const Image& image);
+void writePng(const std::filesystem::path& file, const ByteImage& image);
+void writePng(const std::filesystem::path& file, const PaletteImage& image);
 
 /// Pictures as a page embeds them.
 

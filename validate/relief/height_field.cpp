@@ -134,7 +134,7 @@ HeightField HeightField::withBorder(Border border) && {
 
 namespace {
 
-void turnUpsideDown(std::vector<float>& texels, std::size_t width) {
+void flipRows(std::vector<float>& texels, std::size_t width) {
   const auto step = static_cast<std::ptrdiff_t>(width);
   auto low = texels.begin();
   auto high = texels.end() - step;
@@ -143,10 +143,10 @@ void turnUpsideDown(std::vector<float>& texels, std::size_t width) {
 
 }  // namespace
 
-HeightField readHeightImage(const std::filesystem::path& path, std::optional<int> channel,
+HeightField readHeightImage(const std::filesystem::path& file, std::optional<int> channel,
                             double height, Wrap wrap) {
   image::GreyPicture picture =
-      image::readGreyPicture(path, {{}, channel}, image::PictureUse::heights);
+      image::readGreyPicture(file, {{}, channel}, image::PictureUse::heights);
   const auto width = static_cast<std::size_t>(picture.width);
   for (std::size_t i = 0; i < picture.values.size(); ++i) {
     const float value = picture.values[i];
@@ -154,9 +154,9 @@ HeightField readHeightImage(const std::filesystem::path& path, std::optional<int
     if (std::isfinite(picture.values[i])) continue;
     throw InputError(
         fmt::format("{}: pixel ({}, {}) holds {}, times the height {}: a finite height expected",
-                    path.string(), i % width, i / width, value, height));
+                    file.string(), i % width, i / width, value, height));
   }
-  turnUpsideDown(picture.values, width);
+  flipRows(picture.values, width);
   return {picture.width, picture.height, std::move(picture.values), wrap};
 }
 

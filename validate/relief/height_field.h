@@ -93,7 +93,7 @@ HeightField inverted(const HeightField& field, double height);
 /// @throws InputError naming the file as image::readGreyPicture, and for a height that is not
 /// finite
 ///   (naming its pixel); MemoryError where it does not fit
-HeightField readHeightImage(const std::filesystem::path& path, std::optional<int> channel,
+HeightField readHeightImage(const std::filesystem::path& file, std::optional<int> channel,
                             double height, Wrap wrap);
 
 /// The same relief on a finer map: `factor` times as many texels along x and y, each the height of

@@ -28,7 +28,7 @@ fs::path shaderFolder() {
     }
     return chosen;
   }
-  if (const auto installed = installedPath("share/gnomon/shaders")) return *installed;
+  if (const auto installed = installedFile("share/gnomon/shaders")) return *installed;
   throw InputError(
       fmt::format("no shaders: share/gnomon/shaders is in no folder above {}; set "
                   "GNOMON_SHADERS",

@@ -215,7 +215,7 @@ MicroLines placeMicroLines(const surface::LimitSurface& surface, Vec2 texelsPerU
 
 namespace {
 
-// Measured on Embree 3.13: what its grid hierarchy takes beside the vertices.
+// Measured on Embree 3.13: what its grid hierarchy takes apart from the vertices.
 constexpr double hierarchyBytesPerQuad = 18;
 constexpr double bytesPerVertex = 12;
 

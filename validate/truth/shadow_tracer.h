@@ -87,7 +87,7 @@ std::size_t placeSamples(SamplePlacer& placer, std::span<const surface::SurfaceS
 
 /// Places samples on a micro-mesh, for lights that come one after the other.
 /// @param progress  may throw to cancel, see common/progress.h
-/// @throws MemoryError for places that cannot be held
+/// @throws MemoryError for places that does not fit in memory
 PlacedSamples placeSamples(const surface::LimitSurface& surface, Vec2 texelsPerUv,
                            const MicroMesh& mesh, const surface::SampleGrid& samples,
                            const Progress& progress = {});

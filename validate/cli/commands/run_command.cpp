@@ -32,10 +32,10 @@ void bakeTables(const study::StudySpec& study, const fs::path& out, cache::Cache
   TerminalProgress progress(study.name);
   const horizon::StoredHorizons stored =
       study::bakeStudyTables(study, cache, [&](double share) { progress.update("bake", share); });
-  const fs::path path = out / study.name / "tables.exr";
-  removeLeftovers(path.parent_path());
-  horizon::writeHorizons(path, stored);
-  printLine(fmt::format("{}: {} × {} texels, {} azimuths, {} in {} bits", path.string(),
+  const fs::path file = out / study.name / "tables.exr";
+  removeLeftovers(file.parent_path());
+  horizon::writeHorizons(file, stored);
+  printLine(fmt::format("{}: {} × {} texels, {} azimuths, {} in {} bits", file.string(),
                         stored.width, stored.height, stored.layers,
                         formatBytes(static_cast<double>(stored.byteCount())),
                         static_cast<int>(study.bake.bits)));
@@ -128,8 +128,7 @@ std::vector<report::RunFolder> claimFolders(const std::vector<study::StudyPlan>&
   std::vector<report::RunFolder> folders;
   for (const study::StudyPlan& plan : plans) {
     for (const study::StudySpec& study : plan.steps) {
-      const fs::path path = out / study.name / subfolder;
-      folders.emplace_back(path, kind);
+      folders.emplace_back(out / study.name / subfolder, kind);
       folders.back().requireNone(inputsBeside(plan));
     }
   }
@@ -185,21 +184,21 @@ struct Exported {
   exporting::ExportedMesh about;
 };
 
-Exported writeDisplaced(const fs::path& path, const study::RunScene& scene,
+Exported writeDisplaced(const fs::path& file, const study::RunScene& scene,
                         std::optional<int> subdivisions) {
   const int pieces = subdivisions.value_or(
       displaced::subdivisionsForTexels(scene.surface, scene.study.relief.texelsPerUv()));
   displaced::WeldedMesh mesh = displaced::makeWeldedMesh(scene.surface, scene.study.relief, pieces);
-  exporting::writePly(path, mesh,
+  exporting::writePly(file, mesh,
                       fmt::format("displaced surface, {} x {} pieces a face", pieces, pieces));
   const exporting::ExportedMesh about{pieces, mesh.vertices.size(), mesh.triangleCount(),
                                       mesh.closed};
   return {std::move(mesh), about};
 }
 
-void writeBase(const fs::path& path, study::RunScene& scene) {
+void writeBase(const fs::path& file, study::RunScene& scene) {
   const int pieces = scene.study.base.subdivisions;
-  exporting::writeObj(path, scene.standardBase().drawn.get()->mesh,
+  exporting::writeObj(file, scene.standardBase().drawn.get()->mesh,
                       scene.study.relief.texelsPerUv(),
                       fmt::format("base mesh, {} x {} pieces a face", pieces, pieces));
 }

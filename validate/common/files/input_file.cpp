@@ -119,7 +119,7 @@ void requireFile(const fs::path& path) {
   throw InputError(fmt::format("{}: is {}, a file was expected", path.string(), kindName(type)));
 }
 
-bool pathExists(const fs::path& path) {
+bool isThere(const fs::path& path) {
   return typeOf(path) != fs::file_type::not_found;
 }
 

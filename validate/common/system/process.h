@@ -31,7 +31,7 @@ void changeUnfinished(const std::function<void(Unfinished&)>& change);
 /// (posix_spawnattr_setsigmask).
 void cleanUpOnSignals();
 
-/// A program to start beside this one.
+/// A program to start as a process of its own.
 struct ChildProgram {
   std::vector<std::string> words;  ///< its name, looked for on the PATH, and its arguments
   /// Its variables, "NAME=value"; without a list this process's own.

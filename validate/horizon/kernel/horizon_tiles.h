@@ -148,7 +148,7 @@ using TileSink = std::function<void(const HorizonTile&)>;
 /// @throws InputError, MemoryError as `bakeHorizons`
 void checkBake(const relief::HeightField& field, const BakeSettings& settings, double tableBytes);
 
-/// Bakes a map tile by tile: beside what the sink holds, the memory grows with the map and the
+/// Bakes a map tile by tile: apart from what the sink holds, the memory grows with the map and the
 /// radius alone, not with the azimuths.
 void bakeTiles(const relief::HeightField& field, const BakeSettings& settings, const TileSink& sink,
                const Progress& progress = {});

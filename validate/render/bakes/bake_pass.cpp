@@ -105,7 +105,7 @@ void requireEnds(const std::string& method, const MethodBake& bake,
       fmt::format("method {}: bake `{}`: its loops turn {} times or more at {} of {} texels, fewer "
                   "expected: is "
                   "one without an end?",
-                  method, bake.name, mostLoopTurns, count, ended.size() / 4));
+                  method, bake.name, mostLoopIterations, count, ended.size() / 4));
 }
 
 /// Values as shares of the range that their codes stand for.

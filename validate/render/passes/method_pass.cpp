@@ -56,7 +56,7 @@ glm::dmat4 mapFromClip(glm::dvec2 size) {
 
 MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wrap wrap,
                        TableFilter filter, const std::map<std::string, double>& values,
-                       SoftAnswer soft, std::shared_ptr<const HeldTargets> targets)
+                       SoftAnswer soft, std::shared_ptr<const SharedTargets> targets)
     : name_(method.name),
       tables_(method.tables),
       bakes_(method.bakes),
@@ -140,10 +140,10 @@ class MethodPass::Frame {
         tables_(tables),
         check_(check),
         isShare_(pass.answersInShares(drawing)),
-        held_(pass.targets_ ? *pass.targets_ : own_),
-        answers_(held_.get(view.width, view.height,
-                           isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F, GL_R8UI}
-                                    : std::vector<GLenum>{GL_R8UI})) {
+        shared_(pass.targets_ ? *pass.targets_ : own_),
+        answers_(shared_.get(view.width, view.height,
+                             isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F, GL_R8UI}
+                                      : std::vector<GLenum>{GL_R8UI})) {
     if (pass.seesLight()) {
       const double side = pass.depthSide();
       requireMemory(side * side * sizeof(GLfloat),
@@ -210,7 +210,7 @@ class MethodPass::Frame {
   /// What a program counts for every sample's answer, once its passes are drawn; `noShare` where
   /// there is no sample.
   [[nodiscard]] std::vector<float> counted(GLuint program) const {
-    const Target& counts = held_.get(view_.width, view_.height, {GL_R32F});
+    const Target& counts = shared_.get(view_.width, view_.height, {GL_R32F});
     counts.clearDepth();
     clearShares(counts, 1);
     drawAnswers(program, counts);
@@ -309,7 +309,7 @@ class MethodPass::Frame {
     throw InputError(
         fmt::format("the loops of its pass `{}` turn {} times or more at {} texels, "
                     "fewer expected",
-                    pass_.own_[place].name, mostLoopTurns, count));
+                    pass_.own_[place].name, mostLoopIterations, count));
   }
 
   void drawOwn(std::size_t place, GLuint program, const std::array<float, 4>& clear) const {
@@ -390,8 +390,8 @@ class MethodPass::Frame {
   std::optional<Target> cameraDepth_;
   std::optional<Target> counts_;
   bool isShare_;
-  HeldTargets own_;  ///< of a pass that holds none
-  const HeldTargets& held_;
+  SharedTargets own_;  ///< of a pass that holds none
+  const SharedTargets& shared_;
   const Target& answers_;
 };
 
@@ -431,7 +431,7 @@ std::vector<std::size_t> MethodPass::endlessSamples(const RenderView& view, cons
   throwOnGlError("counting the turns of a method's loops");
   std::vector<std::size_t> endless;
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    if (turns[i] >= static_cast<float>(mostLoopTurns)) endless.push_back(i);
+    if (turns[i] >= static_cast<float>(mostLoopIterations)) endless.push_back(i);
   }
   return endless;
 }

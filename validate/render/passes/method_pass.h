@@ -46,7 +46,7 @@ class MethodPass {
   MethodPass(const std::filesystem::path& shaders, const Method& method, relief::Wrap wrap,
              TableFilter filter, const std::map<std::string, double>& values,
              SoftAnswer soft = SoftAnswer::own,
-             std::shared_ptr<const HeldTargets> targets = nullptr);
+             std::shared_ptr<const SharedTargets> targets = nullptr);
 
   /// The method's answers for every sample of the view.
   /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass, with
@@ -67,7 +67,7 @@ class MethodPass {
     return answersInShares(drawing) ? hasDrawnShares_ : hasDrawnMask_;
   }
 
-  /// The samples at which the loops of the answer for the drawing's light turn `mostLoopTurns`
+  /// The samples at which the loops of the answer for the drawing's light turn `mostLoopIterations`
   /// times or more.
   /// @param check  of the same method and settings
   /// @throws InputError for a pass whose loops do
@@ -117,8 +117,8 @@ class MethodPass {
   std::vector<OwnPass> own_;  ///< with the one that resolves texels first
   bool readsLightDepth_;
   bool hasLightMesh_;
-  std::map<std::string, double> values_;        ///< every parameter's
-  std::shared_ptr<const HeldTargets> targets_;  ///< may be null
+  std::map<std::string, double> values_;          ///< every parameter's
+  std::shared_ptr<const SharedTargets> targets_;  ///< may be null
   gl::Program answer_;
   std::optional<gl::Program> share_;      ///< of a method that answers with a share
   std::vector<gl::Program> ownPrograms_;  ///< one a pass of `own_`

@@ -227,7 +227,7 @@ std::string plainJson(const Json& json, int indent) {
     const Utf8Character character = firstCharacter(rest);
     // JSON stands on terminals and in logs too. In a string an escape is the same character.
     const bool moves =
-        character.code != '\n' && (isControl(character.code) || turnsDirection(character.code));
+        character.code != '\n' && (isControl(character.code) || reversesText(character.code));
     if (moves) {
       text += fmt::format("\\u{:04x}", character.code);
     } else if (rest.starts_with('[') && text.ends_with("##")) {

@@ -17,7 +17,7 @@
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 #include "study/judge/ranking.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 
 namespace gnomon::report {
 namespace {

@@ -13,7 +13,7 @@
 #include "report/text/number_text.h"
 #include "study/record/cases.h"
 #include "study/record/record.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 
 namespace gnomon::report {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 #include "study/spec/sections/method_section.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 
 namespace gnomon::study {
 
@@ -34,7 +34,7 @@ void replaceShader(toml::table& method, const Replacement& replacement) {
   method.insert_or_assign("label", replacement.label);
   for (const char* key : {"name", "file", "masks", "parameters"}) method.erase(key);
   if (fs::path(replacement.shader).extension() == ".glsl") {
-    method.insert("file", pathText(fs::absolute(replacement.shader)));
+    method.insert("file", fileText(fs::absolute(replacement.shader)));
   } else {
     method.insert("name", replacement.shader);
   }
@@ -57,9 +57,9 @@ void removeLadder(toml::table& study, const std::string& label) {
 
 std::string methodLabel(const toml::table& method) {
   if (const auto label = method["label"].value<std::string>()) return *label;
-  if (const auto masks = method["masks"].value<std::string>()) return givenName(pathOf(*masks));
+  if (const auto masks = method["masks"].value<std::string>()) return givenName(fileOf(*masks));
   const auto name = method["name"].value<std::string>();
-  return (name ? *name : stemText(pathOf(method["file"].value_or(std::string())))) +
+  return (name ? *name : stemText(fileOf(method["file"].value_or(std::string())))) +
          (method["disc"].value_or(false) ? discLabel : "");
 }
 

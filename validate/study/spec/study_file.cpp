@@ -13,7 +13,7 @@
 #include "relief/relief.h"
 #include "render/shader_files.h"
 #include "study/spec/method_changes.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 #include "study/spec/study_sections.h"
 #include "study/spec/toml_reader.h"
 #include "truth/visibility_tracer.h"

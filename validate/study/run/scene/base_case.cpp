@@ -15,7 +15,7 @@
 namespace gnomon::study {
 namespace {
 
-/// Refuses a view whose samples, truths and masks cannot be held.
+/// Refuses a view whose samples, truths and masks do not fit in memory.
 void requireRoom(const StudySpec& study, int width, int height, const std::string& name) {
   const double samples = static_cast<double>(width) * height;
   const std::string what = fmt::format("view \"{}\": {} × {} samples", name, width, height);
@@ -27,7 +27,7 @@ void requireRoom(const StudySpec& study, int width, int height, const std::strin
   constexpr double bytesWhileRendering = 64;
   constexpr double bytesOfWeightsAndPlaces =
       sizeof(double) + sizeof(surface::SurfaceSample) + sizeof(std::uint8_t);
-  // A truth, the coarser one that it is held against, and whether the path crosses a seam.
+  // A truth, the coarser one that it is compared with, and whether the path crosses a seam.
   constexpr double bytesOfTruth = 2 * (sizeof(Shade) + sizeof(truth::Region)) + 1;
   requireMemory(samples * (bytesWhileRendering + bytesOfWeightsAndPlaces +
                            bytesOfTruth * static_cast<double>(study.lights.size()) +

@@ -65,7 +65,7 @@ OnDemand<std::shared_ptr<const DrawnBase>> drawnOnDemand(const StudySpec& study,
 /// Chooses the samples of every view by drawing the mesh, or takes what the cache has of them.
 /// @param study    outlives the case, as do `surface` and `with`'s
 /// @throws InputError for a view that is larger than OpenGL allows or shows no surface; MemoryError
-///   for one whose samples, truths and masks cannot be held
+///   for one whose samples, truths and masks do not fit in memory
 BaseCase makeBaseCase(const StudySpec& study, const surface::LimitSurface& surface,
                       MeshChoice choice, CaseMakers with);
 

@@ -40,7 +40,7 @@ void bakeOwn(RunScene& scene, MethodCase& method) {
 }
 
 /// What all methods and cases draw their answers into; null where it is too large to be kept.
-std::shared_ptr<const render::HeldTargets> heldTargets(RunScene& scene) {
+std::shared_ptr<const render::SharedTargets> sharedTargets(RunScene& scene) {
   std::size_t samples = 0;
   for (const ViewCase& view : scene.standardBase().views) {
     samples = std::max(samples, view.samples.samples.size());
@@ -49,12 +49,12 @@ std::shared_ptr<const render::HeldTargets> heldTargets(RunScene& scene) {
   const std::uint64_t bytes = (5 + 13 + 8) * samples;
   if (!scene.cache.canShare(bytes)) return nullptr;
   return scene.cache.share(
-      cache::KeyBuilder("targets").key(), [] { return render::HeldTargets(); }, bytes);
+      cache::KeyBuilder("targets").key(), [] { return render::SharedTargets(); }, bytes);
 }
 
 /// The shader of a method as this study uses it, compiled once for all cases: Pass is MethodPass or
 /// TexelCounter.
-/// @param more  what its constructor takes beside
+/// @param more  what else its constructor takes
 template <typename Pass, typename... More>
 std::shared_ptr<const Pass> compiledPass(RunScene& scene, const MethodCase& method,
                                          const More&... more) {
@@ -76,7 +76,7 @@ void compile(RunScene& scene, MethodCase& method) {
     render::requireTextureView(base.texture);
   }
   method.compiled.emplace(
-      CompiledMethod{compiledPass<render::MethodPass>(scene, method, heldTargets(scene)),
+      CompiledMethod{compiledPass<render::MethodPass>(scene, method, sharedTargets(scene)),
                      reliefTables(scene, method.method, method.spec->bake)});
   if (!method.method.tables.surfaceAngles) bakeOwn(scene, method);
 }
@@ -230,7 +230,7 @@ void requireEnds(RunScene& scene, const MethodCase& method, const CompiledMethod
   throw InputError(fmt::format(
       "{}: its loops turn {} times or more at {} of {} {}, fewer expected: "
       "is one without an end?",
-      nameOf(method), render::mostLoopTurns, found, all, samplesOf(scene, view, light)));
+      nameOf(method), render::mostLoopIterations, found, all, samplesOf(scene, view, light)));
 }
 
 /// Times a frame by a clock.

@@ -76,7 +76,7 @@ class TableSet {
       surfaceAngles_;
 };
 
-/// Whether a bake is small enough to be held as a whole, and to be kept.
+/// Whether a bake is small enough to stay in memory as a whole, and to be kept on disk.
 bool keepsHorizons(const relief::HeightField& field, const horizon::BakeSettings& settings);
 
 /// bakeHorizons, or what the cache has of it. The cache has none that is baked in 0.05 s.
@@ -141,7 +141,7 @@ struct RunScene {
 
 /// The tables that a method bakes by its own functions: what the cache has of them, else baked,
 /// as part of the stage "bake". Null for a method without any.
-/// @param tables  those that the method declares beside them
+/// @param tables  those that the method declares in addition to them
 /// @throws InputError as render::BakePass
 std::shared_ptr<const std::vector<render::GpuBake>> methodBakes(RunScene& scene,
                                                                 const MethodSpec& spec,

@@ -11,7 +11,7 @@
 #include "study/run/scene/cached_fields.h"
 #include "study/run/scene/view_samples.h"
 #include "study/spec/sections/method_section.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 #include "truth/region.h"
 #include "truth/surface_paths.h"
 
@@ -192,7 +192,7 @@ void LadderStage::measure(std::size_t light,
                                    : stateErrors(state.drawn, truth, seen.weights, tiling_));
     });
     scene_.clock.measure("writing", [&](const Progress&) {
-      writer_.write(maskPath(s, light),
+      writer_.write(maskName(s, light),
                     state.isSoft() ? writer_.shares(state.drawnShares) : writer_.mask(state.drawn));
     });
   }
@@ -221,7 +221,7 @@ void LadderStage::requireStarts(std::size_t state, const CaseAnswers& found,
   }
 }
 
-std::string LadderStage::maskPath(std::size_t state, std::size_t light) const {
+std::string LadderStage::maskName(std::size_t state, std::size_t light) const {
   std::vector<std::string> lights;
   for (const Light& spec : scene_.study.lights) lights.push_back(spec.name);
   return fmt::format("masks/ladders/{}_{}.png", fileNames(lights)[light], state);

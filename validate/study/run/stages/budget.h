@@ -43,7 +43,7 @@ StateErrors stateErrors(const Mask& mask, const truth::Truth& truth,
 StateErrors stateErrors(const Visibility& map, const truth::Truth& truth,
                         const std::vector<double>& weights, const compare::Tiling& tiling);
 
-/// What a budget is made of, beside the errors of its states.
+/// What a budget is made of, apart from the errors of its states.
 struct BudgetCase {
   std::string view;
   std::string light;
@@ -65,8 +65,8 @@ BudgetRecord attributeError(const LadderSpec& ladder, const BudgetCase& which,
 /// How much of the error is another cause's in the other order: ½ Σ |forward - backward|.
 double orderDependence(const BudgetRecord& budget);
 
-/// Runs the states of a study's ladders, each a real method with its real bake, beside the study's
-/// methods, and attributes the errors. A state that several ladders share is run once.
+/// Runs the states of a study's ladders, each a real method with its real bake, along with the
+/// study's methods, and attributes the errors. A state that several ladders share is run once.
 class LadderStage {
  public:
   /// Prepares all states. Without a ladder there is nothing to do, here or later.
@@ -94,7 +94,7 @@ class LadderStage {
   [[nodiscard]] std::size_t stateOf(const MethodSpec& spec) const;
   void requireStarts(std::size_t state, const CaseAnswers& found,
                      const std::vector<std::optional<CaseAnswers>>& answers) const;
-  [[nodiscard]] std::string maskPath(std::size_t state, std::size_t light) const;
+  [[nodiscard]] std::string maskName(std::size_t state, std::size_t light) const;
   [[nodiscard]] std::vector<StateErrors> errorsAlong(const std::vector<MethodSpec>& way,
                                                      std::span<const std::size_t> lights) const;
   [[nodiscard]] double uncertaintyOf(const TruthRecord& truth,

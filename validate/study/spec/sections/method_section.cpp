@@ -9,7 +9,7 @@
 
 #include "common/error.h"
 #include "render/method.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 #include "study/spec/study_file.h"
 
 namespace gnomon::study {
@@ -62,7 +62,7 @@ void readParameters(const TomlReader& section, const render::Method& declared, M
 MethodSpec readGivenMethod(const TomlReader& section, const MethodDefaults& defaults) {
   section.allow({"label", "masks"});
   MethodSpec method;
-  method.masks = defaults.folder / pathOf(section.text("masks"));
+  method.masks = defaults.folder / fileOf(section.text("masks"));
   method.masksKey = section.placeOf("masks");
   method.bake = defaults.bake;
   method.base = defaults.base;
@@ -133,13 +133,14 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
 
 toml::table tableOf(const MethodSpec& method, const fs::path& folder, int resample) {
   if (method.isGiven()) {
-    return toml::table{{"label", method.label}, {"masks", pathFrom(method.maskFolder(), folder)}};
+    return toml::table{{"label", method.label},
+                       {"masks", relativeFile(method.maskFolder(), folder)}};
   }
   toml::table table = settingsOf(method);
   if (isBuiltIn(method)) {
     table.insert("name", method.file.stem().string());
   } else {
-    table.insert("file", pathFrom(method.file, folder));
+    table.insert("file", relativeFile(method.file, folder));
   }
   table.insert("bake", settingsOf(method.bake, resample));
   table.insert("base", settingsOf(method.base));
@@ -189,7 +190,7 @@ std::string maskName(const fs::path& file) {
   return stem.ends_with(ending) ? stem.substr(0, stem.size() - ending.size()) : stem;
 }
 
-/// What file managers leave in a folder of pictures, beside hidden files, in either case.
+/// What file managers leave in a folder of pictures, apart from hidden files, in either case.
 bool isOfFileManager(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });

@@ -27,7 +27,7 @@ struct MethodSpec {
   BaseSpec base = {};               ///< of the mesh that it draws
   render::TableFilter filter = render::TableFilter::exact;
   std::map<std::string, double> parameters = {};
-  /// Whether its horizon is held against the light's disc by the closed form, where it has one.
+  /// Whether its horizon is compared with the light's disc by the closed form, where it has one.
   bool disc = false;
   /// The folder with the masks that another program drew; empty for a method that runs here.
   std::filesystem::path masks = {};

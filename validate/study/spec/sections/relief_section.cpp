@@ -6,7 +6,7 @@
 
 #include "relief/height_field.h"
 #include "relief/solid.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 
 namespace gnomon::study {
 namespace {

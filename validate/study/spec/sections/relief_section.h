@@ -40,7 +40,7 @@ struct SolidMap {
 };
 
 struct ImageMap {
-  std::string path;  ///< as the file has it, see pathOf
+  std::string path;  ///< as the file has it, see fileOf
   int channel = 0;
   bool isChannelNamed = false;  ///< else three channels must be equal
 };

@@ -1,4 +1,4 @@
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 
 #include <fmt/core.h>
 
@@ -61,13 +61,13 @@ void forEachTable(toml::node* list, const Work& work) {
 
 }  // namespace
 
-std::string pathText(const fs::path& path) {
+std::string fileText(const fs::path& path) {
   const std::string text = path.string();
   if (!text.starts_with(encodedMark) && canHold(text)) return text;
   return std::string(encodedMark) + encoded(text);
 }
 
-fs::path pathOf(const std::string& text) {
+fs::path fileOf(const std::string& text) {
   if (!text.starts_with(encodedMark)) return text;
   std::string bytes;
   for (std::size_t i = encodedMark.size(); i < text.size(); ++i) {
@@ -80,7 +80,7 @@ fs::path pathOf(const std::string& text) {
 }
 
 fs::path namedFile(const TomlReader& section, std::string_view key, const fs::path& folder) {
-  fs::path file = folder / pathOf(section.text(key));
+  fs::path file = folder / fileOf(section.text(key));
   std::error_code unknown;  // another fault is told by who reads the file
   if (fs::status(file, unknown).type() == fs::file_type::not_found) {
     section.fail(key, file.string() + ": no such file");
@@ -93,23 +93,23 @@ std::string stemText(const fs::path& file) {
   return canHold(stem) ? stem : encoded(stem);
 }
 
-std::string pathFrom(const fs::path& file, const fs::path& folder) {
-  return pathText(fs::proximate(fs::absolute(file), fs::absolute(folder)));
+std::string relativeFile(const fs::path& file, const fs::path& folder) {
+  return fileText(fs::proximate(fs::absolute(file), fs::absolute(folder)));
 }
 
-void movePath(toml::table& table, const char* key, const fs::path& from, const fs::path& to) {
+void moveFile(toml::table& table, const char* key, const fs::path& from, const fs::path& to) {
   const auto path = table[key].value<std::string>();
-  if (!path || pathOf(*path).is_absolute()) return;
-  table.insert_or_assign(key, pathFrom(from / pathOf(*path), to));
+  if (!path || fileOf(*path).is_absolute()) return;
+  table.insert_or_assign(key, relativeFile(from / fileOf(*path), to));
 }
 
-void movePaths(toml::table& study, const fs::path& from, const fs::path& to) {
-  if (toml::table* relief = study["relief"].as_table()) movePath(*relief, "image", from, to);
-  if (toml::table* surface = study["surface"].as_table()) movePath(*surface, "mesh", from, to);
-  const auto moveShader = [&](toml::table& table) { movePath(table, "file", from, to); };
+void moveFiles(toml::table& study, const fs::path& from, const fs::path& to) {
+  if (toml::table* relief = study["relief"].as_table()) moveFile(*relief, "image", from, to);
+  if (toml::table* surface = study["surface"].as_table()) moveFile(*surface, "mesh", from, to);
+  const auto moveShader = [&](toml::table& table) { moveFile(table, "file", from, to); };
   forEachTable(study.get("method"), [&](toml::table& method) {
     moveShader(method);
-    movePath(method, "masks", from, to);
+    moveFile(method, "masks", from, to);
   });
   forEachTable(study.get("ladder"), [&](toml::table& ladder) {
     moveShader(ladder);
