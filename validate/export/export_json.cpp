@@ -93,8 +93,9 @@ report::Json cameraJson(const Camera& camera, const surface::BaseMesh& mesh) {
           {"projection", matrixJson(matrices.projection)}};
 }
 
-report::Json atlasJson(const study::AtlasSpec& atlas, const render::RenderView& view) {
-  return {{"samples_per_side", atlas.samplesPerSide},
+/// Of a view without a camera: a tile a face, as far as it has tiles.
+report::Json tilesJson(const render::RenderView& view) {
+  return {{"samples_per_side", view.width / std::max(1, view.atlasTiles.x)},
           {"columns", view.atlasTiles.x},
           {"rows", view.atlasTiles.y}};
 }
@@ -137,10 +138,8 @@ report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
   report::Json json = {{"name", spec.name}, {"width", view.width}, {"height", view.height}};
   const std::string type(study::viewKindNames.at(spec.kind.index()));
   json["type"] = type;
-  json[type] = std::visit(
-      Overloaded{[&](const Camera& camera) { return cameraJson(camera, base.drawn.get()->mesh); },
-                 [&](const study::AtlasSpec& atlas) { return atlasJson(atlas, view); }},
-      spec.kind);
+  const Camera* camera = cameraOf(spec);
+  json[type] = camera ? cameraJson(*camera, base.drawn.get()->mesh) : tilesJson(view);
   addMap(json, sampleMapFile(names, index));
   json["roi"] = roiFile(names, index);
   report::Json masks = report::Json::array();
@@ -151,8 +150,7 @@ report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
                              record.truth.flips.at(index * lights + l).flipRate));
   }
   json["masks"] = std::move(masks);
-  json["drawn"] = cameraOf(spec) == nullptr ? report::Json(nullptr)
-                                            : drawnJson(scene, drawnUncertainties, names, index);
+  json["drawn"] = camera ? drawnJson(scene, drawnUncertainties, names, index) : report::Json();
   return json;
 }
 

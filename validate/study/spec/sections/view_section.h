@@ -52,8 +52,8 @@ std::vector<Light> readLights(const TomlReader& section);
 LightSection sectionOf(const Light& light);
 
 /// `[[view]]`: which samples of the surface are compared. Each kind is a type, told by its `type`;
-/// what differs between kinds is behind std::visit here, in `ViewMap` and in the export's JSON, so
-/// that the compiler names each place that does not know a new kind.
+/// what differs between kinds is behind std::visit here and in `ViewMap`, so that the compiler
+/// names each place that does not know a new kind.
 
 /// A regular grid over every face's parameters.
 struct AtlasSpec {
