@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -74,6 +76,15 @@ std::string noDataSentence(const ImageFacts& facts, int column, int row);
 /// @param bytesKept  what the caller will hold of each pixel of the display window
 /// @throws InputError, MemoryError
 void requireMeaning(const ImageFile& image, PictureUse use, double bytesKept);
+
+/// Puts the last row first, and so on.
+template <typename Value>
+void flipRows(std::vector<Value>& values, int width) {
+  const std::ptrdiff_t step = width;
+  auto low = values.begin();
+  auto high = values.end() - step;
+  for (; low < high; low += step, high -= step) std::swap_ranges(low, low + step, high);
+}
 
 /// One channel of a picture as numbers, row by row from the top.
 struct GreyPicture {

@@ -7,24 +7,31 @@
 #include <cmath>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "common/error.h"
 #include "image/grey_picture.h"
-#include "image/images.h"
 
 namespace gnomon::image {
 
 namespace {
 
+constexpr float grey = 128.0F / 255.0F;
+
 bool isGrey(float value) {
   constexpr float halfRounding = 0x1p-12F;  // of a half between 1/2 and 1
-  return std::abs(value - 128.0F / 255.0F) <= 1.01F * halfRounding;
+  return std::abs(value - grey) <= 1.01F * halfRounding;
 }
 
+/// Less than a step of 16 bits, more than a half's rounding of the grey.
+constexpr float greyTolerance = 1e-5F;
+
 /// The grey of a map of visibility, which no share has.
-bool isSixteenBitGrey(float value) {
-  return std::abs(value - 128.0F / 255.0F) <= 1e-5F;
+bool isNoSampleGrey(float value) {
+  return std::abs(value - grey) <= greyTolerance;
+}
+
+float alphaOf(const GreyPicture& picture, std::size_t i) {
+  return picture.alphas.empty() ? 1.0F : picture.alphas[i];
 }
 
 /// Pixels of a kind, and the first of them.
@@ -70,9 +77,7 @@ class PictureReader {
   }
 
  private:
-  [[nodiscard]] float alpha(std::size_t i) const {
-    return picture_.alphas.empty() ? 1.0F : picture_.alphas[i];
-  }
+  [[nodiscard]] float alpha(std::size_t i) const { return alphaOf(picture_, i); }
 
   [[nodiscard]] bool isPlain(std::size_t i) const {
     const float value = picture_.values[i];
@@ -86,7 +91,7 @@ class PictureReader {
   }
 
   [[nodiscard]] Shade parted(std::size_t i, double threshold) const {
-    if (alpha(i) < 0.5F || (picture_.integerBits == 16 && isSixteenBitGrey(picture_.values[i]))) {
+    if (alpha(i) < 0.5F || (picture_.integerBits == 16 && isNoSampleGrey(picture_.values[i]))) {
       return Shade::none;
     }
     return picture_.values[i] >= threshold ? Shade::lit : Shade::shadowed;
@@ -113,45 +118,26 @@ void invert(Mask& mask) {
   }
 }
 
-void flipRows(Mask& mask) {
-  const auto width = static_cast<std::ptrdiff_t>(mask.width);
-  for (std::ptrdiff_t top = 0, bottom = mask.height - 1; top < bottom; ++top, --bottom) {
-    std::swap_ranges(mask.samples.begin() + top * width, mask.samples.begin() + (top + 1) * width,
-                     mask.samples.begin() + bottom * width);
-  }
-}
-
 }  // namespace
 
 MaskPicture readMaskPicture(const std::filesystem::path& file, const MaskReading& reading) {
   MaskPicture picture =
       PictureReader(file, readGreyPicture(file, reading.channel)).read(reading.threshold);
   if (reading.inverted) invert(picture.mask);
-  if (reading.upward) flipRows(picture.mask);
+  if (reading.upward) flipRows(picture.mask.samples, picture.mask.width);
   return picture;
 }
 
 namespace {
 
-constexpr float grey = 128.0F / 255.0F;
-/// Less than a step of 16 bits, more than a half's rounding of the grey.
-constexpr float greyTolerance = 1e-5F;
 constexpr std::uint16_t greyLevel = 128 * 257;
 constexpr double mostLevel = 65535;
-
-bool isNoSampleGrey(float value) {
-  return std::abs(value - grey) <= greyTolerance;
-}
 
 std::uint16_t levelOf(float share) {
   if (std::isnan(share)) return greyLevel;
   const auto level =
       static_cast<std::uint16_t>(std::lround(mostLevel * static_cast<double>(share)));
   return level == greyLevel ? greyLevel - 1 : level;
-}
-
-float alphaOf(const GreyPicture& picture, std::size_t i) {
-  return picture.alphas.empty() ? 1.0F : picture.alphas[i];
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const GreyPicture& picture,
@@ -171,14 +157,6 @@ float shareAt(const std::filesystem::path& file, const GreyPicture& picture, std
   if (!(value >= 0 && value <= 1)) refuse(file, picture, i, "a share of 0 to 1");
   if (isNoSampleGrey(value)) return noSample;
   return isInverted ? 1 - value : value;
-}
-
-void flipRows(Visibility& map) {
-  const auto width = static_cast<std::ptrdiff_t>(map.width);
-  for (std::ptrdiff_t top = 0, bottom = map.height - 1; top < bottom; ++top, --bottom) {
-    std::swap_ranges(map.shares.begin() + top * width, map.shares.begin() + (top + 1) * width,
-                     map.shares.begin() + bottom * width);
-  }
 }
 
 Rgb mixed(const Rgb& from, const Rgb& to, double share) {
@@ -274,7 +252,7 @@ Visibility readSharePicture(const std::filesystem::path& file, const MaskReading
   for (std::size_t i = 0; i < picture.values.size(); ++i) {
     map.shares.push_back(shareAt(file, picture, i, reading.inverted));
   }
-  if (reading.upward) flipRows(map);
+  if (reading.upward) flipRows(map.shares, map.width);
   return map;
 }
 

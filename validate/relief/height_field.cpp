@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "common/error.h"
 #include "common/parallel.h"
@@ -132,17 +131,6 @@ HeightField HeightField::withBorder(Border border) && {
   return std::move(*this);
 }
 
-namespace {
-
-void flipRows(std::vector<float>& texels, std::size_t width) {
-  const auto step = static_cast<std::ptrdiff_t>(width);
-  auto low = texels.begin();
-  auto high = texels.end() - step;
-  for (; low < high; low += step, high -= step) std::swap_ranges(low, low + step, high);
-}
-
-}  // namespace
-
 HeightField readHeightImage(const std::filesystem::path& file, std::optional<int> channel,
                             double height, Wrap wrap) {
   image::GreyPicture picture =
@@ -156,7 +144,7 @@ HeightField readHeightImage(const std::filesystem::path& file, std::optional<int
         fmt::format("{}: pixel ({}, {}) holds {}, times the height {}: a finite height expected",
                     file.string(), i % width, i / width, value, height));
   }
-  flipRows(picture.values, width);
+  image::flipRows(picture.values, picture.width);
   return {picture.width, picture.height, std::move(picture.values), wrap};
 }
 
