@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "cache/cache_folder.h"
-#include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/system/memory.h"
 

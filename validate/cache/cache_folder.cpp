@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <random>
-#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>

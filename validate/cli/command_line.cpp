@@ -11,7 +11,6 @@
 #include <functional>
 #include <optional>
 #include <set>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,7 +22,6 @@
 #include "cli/commands/run_command.h"
 #include "cli/commands/shards.h"
 #include "cli/commands/suite_command.h"
-#include "cli/commands/view_command.h"
 #include "cli/output.h"
 #include "common/error.h"
 #include "common/system/process.h"

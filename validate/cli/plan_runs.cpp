@@ -5,20 +5,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "cli/output.h"
 #include "cli/study_plans.h"
-#include "common/parallel.h"
 #include "common/text.h"
 #include "report/json/ranking_json.h"
 #include "report/page/reference_html.h"
 #include "report/page/terminal_report.h"
 #include "report/plots/gnuplot.h"
-#include "report/run_folder.h"
 #include "report/suite/suite_files.h"
 #include "report/tables/formats/text_formats.h"
 #include "report/tables/ranked_table.h"
 #include "study/judge/claims.h"
-#include "study/judge/ranking.h"
 #include "study/run/method_trial.h"
 #include "study/run/run_study.h"
 #include "study/spec/resolved_study.h"

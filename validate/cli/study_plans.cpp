@@ -6,8 +6,6 @@
 #include <memory>
 
 #include "cli/commands/cache_command.h"
-#include "cli/output.h"
-#include "cli/plan_runs.h"
 #include "report/page/terminal_report.h"
 #include "report/plots/gnuplot.h"
 

@@ -3,16 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <optional>
 #include <utility>
 
 #include "common/error.h"
 #include "compare/answer_pair.h"
 #include "compare/boundaries.h"
-#include "compare/counts.h"
 
 namespace gnomon::compare {
 

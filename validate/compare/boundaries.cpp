@@ -1,12 +1,10 @@
 #include "compare/boundaries.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
 #include "common/parallel.h"
-#include "compare/answer_metrics.h"
 #include "compare/answer_pair.h"
 #include "compare/contour.h"
 

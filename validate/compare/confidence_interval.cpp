@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <numeric>
-#include <vector>
 
 #include "common/error.h"
 #include "common/random_stream.h"

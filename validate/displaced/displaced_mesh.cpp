@@ -3,21 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "common/error.h"
 #include "common/parallel.h"
-#include "common/progress.h"
 #include "common/system/memory.h"
 #include "surface/closed_surface.h"
-#include "surface/face_grids.h"
-#include "surface/limit_surface.h"
 #include "surface/texel_frame.h"
 
 namespace gnomon::displaced {

@@ -1,7 +1,6 @@
 #include "export/export_json.h"
 
 #include "common/files/input_file.h"
-#include "export/mesh_files.h"
 #include "export/truth_files.h"
 #include "render/gpu_scene.h"
 #include "report/json/json_values.h"

@@ -6,8 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <string_view>
-#include <vector>
 
 #include "common/files/atomic_file.h"
 #include "common/parallel.h"

@@ -10,7 +10,6 @@
 
 #include "common/parallel.h"
 #include "common/system/memory.h"
-#include "image/images.h"
 #include "image/mask_picture.h"
 #include "report/json/json_values.h"
 #include "report/view_images.h"

@@ -7,11 +7,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 #include "common/error.h"
 #include "common/parallel.h"
-#include "common/vec.h"
 #include "surface/texel_frame.h"
 
 namespace gnomon::horizon {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "common/vec.h"
-
 namespace gnomon::horizon {
 
 namespace {

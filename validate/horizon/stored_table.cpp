@@ -5,11 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <string>
-#include <vector>
 
 #include "common/error.h"
 #include "common/parallel.h"

@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
 #include "common/system/memory.h"
-#include "image/image_file.h"
 
 namespace gnomon::image {
 namespace {

@@ -14,7 +14,6 @@
 #include "common/text.h"
 #include "image/formats/picture_headers.h"
 #include "image/formats/png.h"
-#include "image/image_module.h"
 
 namespace gnomon::image {
 namespace {

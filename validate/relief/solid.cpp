@@ -18,7 +18,6 @@
 #include "common/system/memory.h"
 #include "relief/patterns.h"
 #include "surface/curvature.h"
-#include "surface/limit_surface.h"
 #include "surface/texel_frame.h"
 #include "surface/texture_layout.h"
 

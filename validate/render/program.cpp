@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <functional>
 #include <initializer_list>
 #include <optional>
@@ -18,7 +17,6 @@
 #include "common/error.h"
 #include "common/lists.h"
 #include "common/text.h"
-#include "render/shader_files.h"
 
 namespace gnomon::render {
 

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "common/parallel.h"
-#include "common/progress.h"
 #include "truth/embree.h"
 
 namespace gnomon::truth {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <string>
 #include <utility>
 
 #include "common/error.h"
@@ -15,7 +14,6 @@
 #include "common/system/memory.h"
 #include "displaced/displaced_mesh.h"
 #include "surface/closed_surface.h"
-#include "surface/face_grids.h"
 
 namespace gnomon::truth {
 

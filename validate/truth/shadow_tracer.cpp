@@ -11,7 +11,6 @@
 
 #include "common/error.h"
 #include "common/parallel.h"
-#include "common/progress.h"
 #include "common/system/memory.h"
 #include "truth/embree.h"
 

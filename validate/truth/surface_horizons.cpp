@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "common/parallel.h"
-#include "common/progress.h"
 #include "common/system/memory.h"
 #include "surface/texel_frame.h"
 #include "truth/embree.h"

@@ -11,7 +11,6 @@
 
 #include "cli/commands/baseline_check.h"
 #include "cli/commands/cache_command.h"
-#include "cli/commands/run_command.h"
 #include "cli/output.h"
 #include "cli/plan_runs.h"
 #include "cli/study_plans.h"

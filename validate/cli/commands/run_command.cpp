@@ -3,15 +3,12 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
 
 #include "cli/commands/cache_command.h"
-#include "cli/commands/shards.h"
 #include "cli/output.h"
 #include "cli/study_plans.h"
-#include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/lists.h"
 #include "common/system/memory.h"

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <memory>
-#include <string>
 #include <system_error>
 #include <utility>
 
@@ -14,7 +13,6 @@
 #include "cli/output.h"
 #include "cli/plan_runs.h"
 #include "cli/study_plans.h"
-#include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
 #include "common/text.h"

@@ -17,7 +17,6 @@
 #include <cstring>
 #include <fstream>
 #include <mutex>
-#include <string>
 #include <system_error>
 #include <thread>
 

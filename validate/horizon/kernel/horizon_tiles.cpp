@@ -5,19 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <map>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "common/error.h"
 #include "common/parallel.h"
-#include "common/progress.h"
 #include "common/system/memory.h"
-#include "horizon/kernel/padded_map.h"
 #include "horizon/kernel/tile_kernel.h"
-#include "horizon/reference.h"
 
 namespace gnomon::horizon {
 namespace {

@@ -12,7 +12,6 @@
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
 #include "render/passes/drawing.h"
-#include "render/passes/method_program.h"
 #include "render/passes/texel_counter.h"
 
 namespace gnomon::render {

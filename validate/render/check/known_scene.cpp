@@ -1,6 +1,5 @@
 #include "render/check/known_scene.h"
 
-#include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>

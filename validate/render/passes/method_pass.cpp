@@ -10,8 +10,6 @@
 #include "common/error.h"
 #include "common/system/memory.h"
 #include "render/gl_context.h"
-#include "render/gl_objects.h"
-#include "render/passes/method_program.h"
 #include "render/shader_files.h"
 
 namespace gnomon::render {

@@ -2,15 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "common/error.h"
-#include "render/gl_objects.h"
-#include "render/passes/drawing.h"
 #include "render/program.h"
-#include "render/shader_files.h"
 #include "render/shared_names.h"
 
 namespace gnomon::render {

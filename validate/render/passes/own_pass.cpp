@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
-#include <utility>
 
 #include "render/declaration.h"
-#include "render/shader_files.h"
 
 namespace gnomon::render {
 namespace {

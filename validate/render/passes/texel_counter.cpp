@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "common/parallel.h"
-#include "render/passes/method_program.h"
 #include "render/shader_files.h"
 
 namespace gnomon::render {

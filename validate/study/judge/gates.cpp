@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -14,7 +13,6 @@
 #include "common/lists.h"
 #include "compare/metric.h"
 #include "compare/shadow_length.h"
-#include "study/record/cases.h"
 
 namespace gnomon::study {
 

@@ -12,9 +12,7 @@
 #include "common/lists.h"
 #include "compare/counts.h"
 #include "study/judge/claims.h"
-#include "study/judge/distinguish.h"
 #include "study/record/cases.h"
-#include "study/record/record.h"
 #include "study/spec/resolved_study.h"
 
 namespace gnomon::study {

@@ -1,13 +1,11 @@
 #include "study/record/cases.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "common/lists.h"
 #include "compare/answer_metrics.h"
 #include "compare/boundaries.h"
-#include "compare/counts.h"
 
 namespace gnomon::study {
 namespace {

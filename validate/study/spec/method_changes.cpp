@@ -1,12 +1,10 @@
 #include "study/spec/method_changes.h"
 
-#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
 
-#include "common/error.h"
 #include "study/spec/sections/method_section.h"
 #include "study/spec/sections/study_files.h"
 

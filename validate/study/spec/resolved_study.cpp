@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <string>
 #include <string_view>
 
 #include "common/error.h"
@@ -14,7 +13,6 @@
 #include "study/spec/method_changes.h"
 #include "study/spec/sections/method_section.h"
 #include "study/spec/sections/study_files.h"
-#include "study/spec/study_file.h"
 #include "study/spec/toml_reader.h"
 
 namespace gnomon::study {

@@ -3,19 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
 #include <set>
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
-#include "relief/relief.h"
 #include "render/shader_files.h"
 #include "study/spec/method_changes.h"
 #include "study/spec/sections/study_files.h"
 #include "study/spec/study_sections.h"
-#include "study/spec/toml_reader.h"
 #include "truth/visibility_tracer.h"
 
 namespace gnomon::study {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/text.h"
 

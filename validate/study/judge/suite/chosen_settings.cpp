@@ -3,11 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "common/error.h"
 #include "common/lists.h"
-#include "compare/scenes/comparisons.h"
 #include "study/spec/toml_reader.h"
 
 namespace gnomon::study {

@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
-#include <variant>
-#include <vector>
 
 #include "common/error.h"
 #include "compare/answer_metrics.h"
 #include "render/passes/drawing.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/run/scene/run_scene.h"
 #include "truth/surface_horizons.h"
 
 namespace gnomon::study {

@@ -1,14 +1,12 @@
 #include "study/run/scene/method_outcome.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <utility>
 
 #include "common/lists.h"
 #include "common/parallel.h"
 #include "compare/boundaries.h"
-#include "compare/counts.h"
 #include "study/run/scene/truth_stage.h"
 #include "truth/surface_paths.h"
 

@@ -1,8 +1,5 @@
 #include "study/run/scene/run_scene.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <memory>
 #include <numeric>
 #include <span>
 

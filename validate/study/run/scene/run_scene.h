@@ -5,7 +5,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <tuple>
 #include <utility>
 #include <vector>
 

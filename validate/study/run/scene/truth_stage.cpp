@@ -5,19 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <memory>
 #include <optional>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "common/error.h"
 #include "compare/answer_metrics.h"
 #include "compare/boundaries.h"
 #include "study/run/scene/cached_fields.h"
 #include "study/spec/method_changes.h"
-#include "truth/shadow_tracer.h"
 #include "truth/surface_paths.h"
 #include "truth/visibility_tracer.h"
 

@@ -7,8 +7,6 @@
 #include "common/lists.h"
 #include "common/parallel.h"
 #include "compare/counts.h"
-#include "surface/curvature.h"
-#include "surface/limit_surface.h"
 
 namespace gnomon::study {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <string>
 
 #include "common/error.h"
 #include "study/judge/distinguish.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
 #include "common/lists.h"
@@ -10,7 +9,6 @@
 #include "image/images.h"
 #include "render/passes/drawing.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/run/stages/truth_pictures.h"
 
 namespace gnomon::study {
 

@@ -5,9 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "study/run/scene/cached_fields.h"
 #include "study/run/stages/panel_pictures.h"

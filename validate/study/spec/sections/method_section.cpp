@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "common/error.h"
-#include "render/method.h"
 #include "study/spec/sections/study_files.h"
 #include "study/spec/study_file.h"
 

@@ -2,10 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <limits>
-
 #include "relief/height_field.h"
-#include "relief/solid.h"
 #include "study/spec/sections/study_files.h"
 
 namespace gnomon::study {

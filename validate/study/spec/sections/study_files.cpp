@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <string_view>
 #include <system_error>
 
 #include "common/error.h"
-#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 

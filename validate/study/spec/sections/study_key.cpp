@@ -4,11 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/lists.h"
-#include "common/vec.h"
-#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 namespace {

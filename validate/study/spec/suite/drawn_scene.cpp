@@ -8,7 +8,6 @@
 
 #include "common/files/input_file.h"
 #include "study/spec/suite/drawn_surface.h"
-#include "study/spec/suite/suite_file.h"
 
 namespace gnomon::study {
 namespace {

@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <set>
-
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
