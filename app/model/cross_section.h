@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "common/vec.h"
-#include "horizon/reference/height_profile.h"
-#include "horizon/reference/ray_crossings.h"
+#include "horizon/reference.h"
 #include "image/images.h"
 #include "relief/relief.h"
 #include "surface/limit_surface.h"

@@ -9,10 +9,10 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/vec.h"
-#include "study/spec/method_replacement.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/method_changes.h"
+#include "study/spec/sections/study_files.h"
 #include "study/spec/study_file.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::app {
 namespace fs = std::filesystem;
@@ -59,7 +59,7 @@ std::string plainName(std::string name) {
 bool isNamed(const toml::table& method, const std::string& name) {
   const std::string file = method["file"].value_or(std::string());
   return study::methodLabel(method) == name || method["name"].value_or(std::string()) == name ||
-         (!file.empty() && study::pathOf(file).stem() == name);
+         (!file.empty() && study::fileOf(file).stem() == name);
 }
 
 /// Keeps the methods that the study was opened with and, of them, those that the state has.
@@ -131,7 +131,7 @@ std::string savedStudy(const StudyState& state, const fs::path& target) {
   toml::table study = study::studyTable(state.file, state.options);
   keepMethods(study, state);
   for (const char* key : {"sweep", "threshold", "claim", "ladder"}) study.erase(key);
-  study::movePaths(study, study::studyFolder(state.file), fs::absolute(target).parent_path());
+  study::moveFiles(study, study::studyFolder(state.file), fs::absolute(target).parent_path());
   if (toml::table* header = study["study"].as_table()) {
     header->insert_or_assign("name", plainName(target.stem().string()));
     header->insert_or_assign("ranked", false);

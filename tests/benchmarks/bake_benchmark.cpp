@@ -30,7 +30,7 @@
 #include "common/vec.h"
 #include "horizon/horizon_bake.h"
 #include "horizon/kernel/tile_kernel.h"
-#include "horizon/reference/ray_crossings.h"
+#include "horizon/reference.h"
 #include "hull_sweep.h"
 #include "relief/height_field.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "common/parallel.h"
-#include "truth/flush_denormals.h"
+#include "truth/embree.h"
 
 namespace gnomon::benchmarks {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/files/part_file.h"
+#include "common/files/atomic_file.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon::cache {

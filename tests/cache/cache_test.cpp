@@ -6,6 +6,8 @@
 
 #include <fstream>
 #include <functional>
+#include <memory>
+#include <string>
 #include <thread>
 
 #include "cache/cache_folder.h"
@@ -197,6 +199,112 @@ TEST_F(CacheTest, ManyThreadsMayUseIt) {
   EXPECT_EQ(cache.counts().hits + cache.counts().misses, 200U);
   EXPECT_EQ(cache.counts().damaged, 0U);
   EXPECT_EQ(usageOf(folder()).entries, 50U);
+}
+
+ContentKey keyOf(int number) {
+  return KeyBuilder("test").add("number", number).key();
+}
+
+/// A cache of numbers that counts how often one is made.
+struct Counting {
+  Cache cache{100};
+  int made = 0;
+
+  int get(int number, std::uint64_t bytes) {
+    return *cache.share(
+        keyOf(number),
+        [&] {
+          ++made;
+          return number;
+        },
+        bytes);
+  }
+};
+
+TEST(SharedValues, MakesAValueOnce) {
+  Counting counting;
+  EXPECT_EQ(counting.get(3, 10), 3);
+  EXPECT_EQ(counting.get(3, 10), 3);
+  EXPECT_EQ(counting.made, 1);
+  EXPECT_EQ(counting.get(4, 10), 4);
+  EXPECT_EQ(counting.made, 2);
+}
+
+TEST(SharedValues, LeastRecentlyUsedMakeRoom) {
+  Counting counting;
+  for (const int number : {1, 2, 1, 3}) (void)counting.get(number, 40);
+  EXPECT_EQ(counting.made, 3);
+  (void)counting.get(1, 40);
+  EXPECT_EQ(counting.made, 3) << "it was used after 2";
+  (void)counting.get(2, 40);
+  EXPECT_EQ(counting.made, 4);
+}
+
+TEST(SharedValues, HoldsSoManyValuesOfOneTypeAtMost) {
+  constexpr int most = Cache::mostOfAType;
+  Counting counting;
+  const auto other = [&] { return counting.cache.shared<std::string>(keyOf(0)) != nullptr; };
+  (void)counting.cache.share(
+      keyOf(0), [] { return std::string("other"); }, 0);
+  for (int number = 0; number < most; ++number) (void)counting.get(number, 0);
+  (void)counting.get(0, 0);
+  EXPECT_EQ(counting.made, most) << "all are there";
+  (void)counting.get(most, 0);
+  (void)counting.get(0, 0);
+  EXPECT_EQ(counting.made, most + 1) << "0 was used after 1";
+  (void)counting.get(1, 0);
+  EXPECT_EQ(counting.made, most + 2);
+  EXPECT_TRUE(other()) << "of another type";
+}
+
+TEST(SharedValues, KeepsNothingThatIsLargerThanItself) {
+  Counting counting;
+  (void)counting.get(1, 60);
+  EXPECT_FALSE(counting.cache.canShare(101));
+  (void)counting.get(2, 101);
+  (void)counting.get(2, 101);
+  EXPECT_EQ(counting.made, 3);
+  (void)counting.get(1, 60);
+  EXPECT_EQ(counting.made, 3) << "it made no room";
+}
+
+TEST(SharedValues, ValuesOfTwoTypesMayHaveOneKey) {
+  Counting counting;
+  EXPECT_EQ(counting.get(1, 1), 1);
+  const auto text = counting.cache.share(
+      keyOf(1), [] { return std::string("one"); },
+      [](const std::string& one) { return one.size(); });
+  EXPECT_EQ(*text, "one");
+  EXPECT_EQ(counting.get(1, 1), 1);
+  EXPECT_EQ(counting.made, 1);
+}
+
+TEST(SharedValues, OutliveTheirPlace) {
+  Cache cache(100);
+  const auto get = [&](int number) {
+    return cache.share(
+        keyOf(number), [&] { return number; }, 100);
+  };
+  const std::shared_ptr<const int> first = get(1);
+  (void)get(2);
+  EXPECT_EQ(*first, 1);
+  EXPECT_EQ(first.use_count(), 1);
+}
+
+TEST(SharedValues, OthersGoWhereMemoryIsTooSmall) {
+  Counting counting;
+  (void)counting.get(1, 10);
+  int tries = 0;
+  const auto make = [&] {
+    if (++tries == 1) throw MemoryError("too small");
+    return 2;
+  };
+  EXPECT_EQ(*counting.cache.share(keyOf(2), make, 10), 2);
+  (void)counting.get(1, 10);
+  EXPECT_EQ(counting.made, 2) << "it had gone";
+  counting.cache.dropShared();
+  tries = 0;
+  EXPECT_THROW((void)counting.cache.share(keyOf(2), make, 10), MemoryError) << "nothing could go";
 }
 
 }  // namespace

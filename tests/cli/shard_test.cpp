@@ -1,4 +1,4 @@
-#include "cli/shards/shard.h"
+#include "cli/commands/shards.h"
 
 #include "common/error.h"
 #include "support/error_messages.h"

@@ -7,11 +7,9 @@
 #include <thread>
 #include <vector>
 
-#include "common/alongside.h"
 #include "common/error.h"
 #include "common/parallel.h"
 #include "common/progress.h"
-#include "common/work_beside.h"
 
 namespace gnomon {
 namespace {
@@ -75,8 +73,8 @@ TEST(Cancellation, IsAWishAndNoMore) {
                InputError);
 }
 
-TEST(WorkBeside, GoesOnWhileItsOwnerGoesOn) {
-  WorkBeside beside;
+TEST(BackgroundWork, GoesOnWhileItsOwnerGoesOn) {
+  BackgroundWork beside;
   std::promise<void> allowed;
   std::atomic<bool> isDone = false;
   beside.start([&] {
@@ -89,8 +87,8 @@ TEST(WorkBeside, GoesOnWhileItsOwnerGoesOn) {
   EXPECT_TRUE(isDone);
 }
 
-TEST(WorkBeside, IsOnePieceAfterTheOther) {
-  WorkBeside beside;
+TEST(BackgroundWork, IsOnePieceAfterTheOther) {
+  BackgroundWork beside;
   std::string order;
   for (const char letter : std::string("abcdefgh"))
     beside.start([&order, letter] { order += letter; });
@@ -98,8 +96,8 @@ TEST(WorkBeside, IsOnePieceAfterTheOther) {
   EXPECT_EQ(order, "abcdefgh");
 }
 
-TEST(WorkBeside, ThrowsWhatAPieceThrew) {
-  WorkBeside beside;
+TEST(BackgroundWork, ThrowsWhatAPieceThrew) {
+  BackgroundWork beside;
   const auto fails = [] { throw std::runtime_error("full"); };
   beside.start(fails);
   beside.wait();
@@ -109,10 +107,10 @@ TEST(WorkBeside, ThrowsWhatAPieceThrew) {
   beside.finish();  // thrown once
 }
 
-TEST(WorkBeside, EndsBeforeItsOwner) {
+TEST(BackgroundWork, EndsBeforeItsOwner) {
   std::atomic<bool> isDone = false;
   {
-    WorkBeside beside;
+    BackgroundWork beside;
     beside.start([&] { isDone = true; });
   }
   EXPECT_TRUE(isDone);

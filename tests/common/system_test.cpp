@@ -15,10 +15,9 @@
 #include <sstream>
 
 #include "common/error.h"
-#include "common/system/child_process.h"
-#include "common/system/interruption.h"
 #include "common/system/memory.h"
 #include "common/system/own_files.h"
+#include "common/system/process.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
@@ -361,17 +360,17 @@ class InstalledPath : public ::testing::Test {
 
 TEST_F(InstalledPath, IsTheNearestAboveThisCode) {
   fs::create_directories(far / "share/what");
-  EXPECT_EQ(installedPath("share/what"), near / "share/what");
+  EXPECT_EQ(installedFile("share/what"), near / "share/what");
   fs::remove_all(near / "share/what");
-  EXPECT_EQ(installedPath("share/what"), far / "share/what");
+  EXPECT_EQ(installedFile("share/what"), far / "share/what");
   fs::remove_all(far / "share/what");
-  EXPECT_EQ(installedPath("share/what"), std::nullopt);
+  EXPECT_EQ(installedFile("share/what"), std::nullopt);
 }
 
 TEST_F(InstalledPath, HasItsLinksResolved) {
   fs::create_directories(far / "share/what/target");
   fs::create_directory_symlink(far / "share/what/target", near / "share/what/link");
-  EXPECT_EQ(installedPath("share/what/link"), far / "share/what/target");
+  EXPECT_EQ(installedFile("share/what/link"), far / "share/what/target");
 }
 
 }  // namespace

@@ -7,9 +7,8 @@
 #include <string>
 
 #include "common/error.h"
-#include "common/text/sha256.h"
-#include "common/text/toml_nesting.h"
-#include "common/text/words.h"
+#include "common/files/input_file.h"
+#include "common/text.h"
 #include "support/error_messages.h"
 
 namespace gnomon {

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "common/error.h"
+#include "compare/answer_metrics.h"
 #include "compare/boundaries.h"
 #include "compare/boundary_values.h"
 #include "compare/contour.h"
 #include "compare/drawn_mask.h"
-#include "compare/mask_metrics.h"
 #include "compare/masks.h"
 
 namespace gnomon::compare {

@@ -11,10 +11,9 @@
 #include <vector>
 
 #include "common/error.h"
-#include "compare/bins.h"
+#include "compare/answer_metrics.h"
 #include "compare/confidence_interval.h"
 #include "compare/counts.h"
-#include "compare/mask_metrics.h"
 #include "compare/masks.h"
 #include "support/error_messages.h"
 

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "common/error.h"
+#include "compare/answer_metrics.h"
 #include "compare/boundaries.h"
 #include "compare/counts.h"
-#include "compare/mask_metrics.h"
 #include "compare/masks.h"
 #include "compare/metric.h"
 #include "masks.h"

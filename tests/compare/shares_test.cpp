@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "common/error.h"
-#include "compare/bins.h"
+#include "compare/answer_metrics.h"
 #include "compare/confidence_interval.h"
 #include "compare/counts.h"
 #include "compare/masks.h"
-#include "compare/share_metrics.h"
 #include "compare/worst_windows.h"
 #include "support/error_messages.h"
 

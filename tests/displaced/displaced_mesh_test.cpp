@@ -9,7 +9,6 @@
 
 #include "common/error.h"
 #include "displaced/displaced_mesh.h"
-#include "displaced/welded_mesh.h"
 #include "relief/patterns.h"
 #include "support/error_messages.h"
 #include "surface/texel_frame.h"

@@ -15,7 +15,7 @@
 #include "docs/pages.h"
 #include "render/method.h"
 #include "render/shared_names.h"
-#include "study/record/result_metrics.h"
+#include "study/record/cases.h"
 #include "study/spec/study_file.h"
 #include "study/spec/suite/drawn_suite.h"
 #include "support/temporary_folder.h"

@@ -10,7 +10,7 @@
 
 #include "compare/metric.h"
 #include "end_to_end/support/suite_scenes.h"
-#include "study/run/scene/sample_axes.h"
+#include "study/run/scene/view_samples.h"
 
 // The JSON files of every command agree with schemas/gnomon.schema.json, by an independent
 // validator, and use every key that it has. The columns of the CSV files are those of

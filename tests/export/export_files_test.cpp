@@ -10,7 +10,7 @@
 #include "common/files/atomic_file.h"
 #include "export/mesh_files.h"
 #include "image/grey_picture.h"
-#include "image/image.h"
+#include "image/images.h"
 #include "report/view_images.h"
 #include "support/temporary_folder.h"
 

@@ -22,7 +22,7 @@
 #include "common/system/memory.h"
 #include "end_to_end/support/program.h"
 #include "image/mask_picture.h"
-#include "relief/height_image.h"
+#include "relief/height_field.h"
 #include "support/sanitized.h"
 #include "support/test_length.h"
 

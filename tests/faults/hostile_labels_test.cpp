@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "common/text/words.h"
+#include "common/text.h"
 #include "faults/shell_run.h"
 #include "support/lines.h"
 #include "support/test_length.h"
@@ -96,7 +96,7 @@ std::string dangerIn(const std::string& text, const char* allowed = "\n") {
   for (std::string_view rest = text; !rest.empty();) {
     const Utf8Character character = firstCharacter(rest);
     if (!character.valid) return "bytes that are no UTF-8";
-    if (turnsDirection(character.code)) return "a character that turns text";
+    if (reversesText(character.code)) return "a character that turns text";
     const bool mayStand =
         character.code < 0x80 &&
         std::string_view(allowed).find(static_cast<char>(character.code)) != std::string_view::npos;

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "common/error.h"
-#include "common/text/words.h"
+#include "common/text.h"
 
 namespace gnomon::test {
 namespace fs = std::filesystem;

@@ -8,7 +8,7 @@
 #include <future>
 #include <sstream>
 
-#include "common/text/sha256.h"
+#include "common/files/input_file.h"
 #include "faults/run_folders.h"
 #include "faults/shell_run.h"
 #include "model/saved_study.h"

@@ -5,7 +5,7 @@
 
 #include "fuzz/reader_fuzz.h"
 #include "image/image_format.h"
-#include "relief/height_image.h"
+#include "relief/height_field.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gnomon;

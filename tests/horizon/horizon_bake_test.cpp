@@ -19,7 +19,6 @@
 #include "common/system/memory.h"
 #include "horizon/horizon_bake.h"
 #include "horizon/horizon_truth.h"
-#include "horizon/kernel/azimuth_plan.h"
 #include "horizon/kernel/horizon_tiles.h"
 #include "horizon/kernel/tile_kernel.h"
 #include "support/error_messages.h"

@@ -9,8 +9,7 @@
 
 #include "common/vec.h"
 #include "horizon/horizon_bake.h"
-#include "horizon/reference/height_profile.h"
-#include "horizon/reference/ray_crossings.h"
+#include "horizon/reference.h"
 #include "truth/truth_scenes.h"
 
 // The corrected horizons against the circle drawn with compass and ruler, and against the published

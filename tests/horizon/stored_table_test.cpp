@@ -13,7 +13,6 @@
 #include "common/error.h"
 #include "horizon/horizon_bake.h"
 #include "horizon/stored_table.h"
-#include "horizon/table_file.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 

@@ -10,8 +10,6 @@
 
 #include "common/error.h"
 #include "relief/height_field.h"
-#include "relief/height_image.h"
-#include "relief/patch_border.h"
 #include "relief/relief.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"

@@ -12,7 +12,6 @@
 #include "horizon/angle_table.h"
 #include "horizon/horizon_bake.h"
 #include "horizon/stored_table.h"
-#include "horizon/texel_scale.h"
 #include "relief/relief.h"
 #include "render/bakes/bake_pass.h"
 #include "render/gl_context.h"

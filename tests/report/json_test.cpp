@@ -12,9 +12,8 @@
 #include "report/json/summary_json.h"
 #include "report/sample_record.h"
 #include "report/terminal_page.h"
-#include "study/judge/baseline.h"
 #include "study/judge/gates.h"
-#include "study/record/result_metrics.h"
+#include "study/record/record.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 

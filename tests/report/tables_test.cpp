@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "compare/share_metrics.h"
+#include "compare/answer_metrics.h"
 #include "report/json/summary_json.h"
 #include "report/page/html_page.h"
 #include "report/page/report_html.h"
@@ -25,7 +25,7 @@
 #include "report/tables/table.h"
 #include "report/terminal_page.h"
 #include "report/terminal_report.h"
-#include "study/record/result_metrics.h"
+#include "study/record/record.h"
 #include "support/lines.h"
 
 namespace gnomon::report {

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "common/error.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "report/json/json_values.h"
 #include "report/plots/gnuplot.h"
 #include "report/tables/cost_table.h"
@@ -277,7 +277,7 @@ TEST(PlainJson, ReadsBackAsTheSameString) {
     EXPECT_THAT(written, Not(HasSubstr("##[")));
     for (std::string_view rest = written; !rest.empty();) {
       const Utf8Character character = firstCharacter(rest);
-      EXPECT_TRUE(character.valid && !turnsDirection(character.code)) << written;
+      EXPECT_TRUE(character.valid && !reversesText(character.code)) << written;
       EXPECT_TRUE(character.code == '\n' || !isControl(character.code)) << written;
       rest.remove_prefix(character.bytes);
     }

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "image/image.h"
+#include "image/images.h"
 
 namespace gnomon::test {
 

@@ -8,7 +8,6 @@
 
 #include "surface/texel_frame.h"
 #include "truth/micro_surface.h"
-#include "truth/sample_place.h"
 #include "truth/shadow_tracer.h"
 #include "truth/surface_paths.h"
 #include "truth/truth_scenes.h"

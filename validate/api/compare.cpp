@@ -8,10 +8,9 @@
 #include "api/inner/conversions.h"
 #include "common/error.h"
 #include "common/mask.h"
+#include "compare/answer_metrics.h"
 #include "compare/boundaries.h"
 #include "compare/counts.h"
-#include "compare/mask_metrics.h"
-#include "compare/share_metrics.h"
 #include "image/mask_picture.h"
 
 namespace gnomon {

@@ -1,8 +1,5 @@
 #include "gnomon/horizon.h"
 
-#include <utility>
-#include <vector>
-
 #include "api/inner/conversions.h"
 #include "common/error.h"
 #include "horizon/horizon_bake.h"

@@ -7,7 +7,7 @@
 #include "cli/commands/run_command.h"
 #include "cli/plan_runs.h"
 #include "cli/study_plans.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "render/gl_context.h"
 #include "report/text/verdict_text.h"
 #include "study/record/gate.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "api/inner/conversions.h"
 #include "common/camera.h"

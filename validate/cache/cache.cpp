@@ -8,13 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "cache/cache_folder.h"
-#include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "common/files/part_file.h"
 #include "common/system/memory.h"
 
 namespace gnomon::cache {
@@ -81,7 +80,11 @@ Found contentOf(const fs::path& path, const ContentKey& own, std::uint64_t limit
 }  // namespace
 
 Cache::Cache(fs::path folder, std::uint64_t limit, const CacheOwner& owner, Warning warn)
-    : folder_(std::move(folder)), limit_(limit), owner_(owner), warn_(std::move(warn)) {
+    : folder_(std::move(folder)),
+      limit_(limit),
+      owner_(owner),
+      warn_(std::move(warn)),
+      mostShared_(shareOfMemory()) {
   // A writer fills its file in the folder itself: so one look finds all that killed ones left.
   removeLeftovers(folder_);
 }
@@ -97,19 +100,19 @@ ContentKey Cache::ownKey(const ContentKey& key, HoldsOn where) const {
   return own.key();
 }
 
-fs::path Cache::pathOf(const ContentKey& own) const {
+fs::path Cache::fileOf(const ContentKey& own) const {
   const std::string name = own.text();
   return folder_ / name.substr(0, 2) / (name.substr(2) + ".entry");
 }
 
 bool Cache::holds(const ContentKey& key, HoldsOn where) const {
   std::error_code failure;
-  return isOn() && fs::exists(pathOf(ownKey(key, where)), failure);
+  return isOn() && fs::exists(fileOf(ownKey(key, where)), failure);
 }
 
 std::optional<Cache::Loaded> Cache::load(const ContentKey& own, Counted counted) {
   if (!isOn()) return std::nullopt;
-  const fs::path path = pathOf(own);
+  const fs::path path = fileOf(own);
   Found found = contentOf(path, own, limit_);
   if (!found.isAny) {
     if (counted == Counted::yes) ++misses_;
@@ -135,7 +138,7 @@ void Cache::discard(const ContentKey& own, Counted counted) {
   }
   std::error_code ignored;
   // Whatever stands in an entry's place: the name is the cache's own.
-  fs::remove_all(pathOf(own), ignored);
+  fs::remove_all(fileOf(own), ignored);
 }
 
 void Cache::accountForWritten() {
@@ -151,7 +154,7 @@ void Cache::save(const ContentKey& own, const std::string& content) {
   const std::string file = sealedEntry(own, content);
   const std::lock_guard lock(writing_);
   if (isFull_ || file.size() > limit_) return;
-  const fs::path path = pathOf(own);
+  const fs::path path = fileOf(own);
   std::error_code failure;
   // One that could not be removed: this entry is not kept, others are.
   if (fs::is_directory(fs::symlink_status(path, failure))) return;
@@ -166,6 +169,43 @@ void Cache::save(const ContentKey& own, const std::string& content) {
   written_ += file.size();
   constexpr std::uint64_t enough = 64'000'000;
   if (written_ > std::min(enough, limit_ / 8)) accountForWritten();
+}
+
+std::uint64_t Cache::shareOfMemory() {
+  return availableMemoryBytes() / 4;
+}
+
+bool Cache::canShare(std::uint64_t bytes) const {
+  return bytes <= mostShared_ && bytes <= availableMemoryBytes() / 2;
+}
+
+void Cache::dropShared() {
+  shared_.clear();
+  sharedBytes_ = 0;
+}
+
+std::shared_ptr<const void> Cache::findShared(const Name& name) {
+  const auto found = std::find_if(shared_.begin(), shared_.end(),
+                                  [&](const Shared& entry) { return entry.name == name; });
+  if (found == shared_.end()) return nullptr;
+  shared_.splice(shared_.begin(), shared_, found);
+  return found->value;
+}
+
+void Cache::drop(std::list<Shared>::const_iterator entry) {
+  sharedBytes_ -= entry->bytes;
+  shared_.erase(entry);
+}
+
+void Cache::addShared(const Name& name, std::shared_ptr<const void> value, std::uint64_t bytes) {
+  if (bytes > mostShared_) return;
+  while (sharedBytes_ > mostShared_ - bytes) drop(std::prev(shared_.end()));
+  const auto isOfType = [&](const Shared& entry) { return entry.name.type == name.type; };
+  if (std::count_if(shared_.begin(), shared_.end(), isOfType) == mostOfAType) {
+    drop(std::prev(std::find_if(shared_.rbegin(), shared_.rend(), isOfType).base()));
+  }
+  shared_.push_front({name, std::move(value), bytes});
+  sharedBytes_ += bytes;
 }
 
 }  // namespace gnomon::cache

@@ -5,18 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <random>
-#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "common/files/part_file.h"
 
 namespace gnomon::cache {
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <compare>
-#include <concepts>
 #include <cstdint>
 #include <cstring>
 #include <span>

@@ -11,7 +11,6 @@
 #include <functional>
 #include <optional>
 #include <set>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,20 +18,17 @@
 #include "cli/commands/cache_command.h"
 #include "cli/commands/check_command.h"
 #include "cli/commands/compare_command.h"
-#include "cli/commands/export_command.h"
 #include "cli/commands/init_command.h"
 #include "cli/commands/rank_command.h"
 #include "cli/commands/run_command.h"
+#include "cli/commands/shards.h"
 #include "cli/commands/suite_command.h"
-#include "cli/commands/view_command.h"
 #include "cli/output.h"
-#include "cli/shards/merge_command.h"
-#include "cli/shards/shard.h"
 #include "common/error.h"
-#include "common/system/interruption.h"
-#include "common/text/words.h"
+#include "common/system/process.h"
+#include "common/text.h"
 #include "render/method.h"
-#include "study/record/result_metrics.h"
+#include "study/record/cases.h"
 #include "study/run/method_trial.h"
 #include "study/spec/study_file.h"
 #include "study/spec/study_sections.h"

@@ -12,12 +12,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <new>
 #include <system_error>
 
 #include "common/progress.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "report/build_server.h"
 
 namespace gnomon::cli {

@@ -3,27 +3,82 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
-#include "cli/output.h"
 #include "cli/study_plans.h"
 #include "common/parallel.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "report/json/results_json.h"
 #include "report/page/overview_html.h"
 #include "report/plots/gnuplot.h"
-#include "report/run_folder.h"
 #include "report/suite/suite_files.h"
 #include "report/tables/ranked_table.h"
 #include "report/tables/table.h"
 #include "report/terminal_report.h"
 #include "study/judge/claims.h"
-#include "study/judge/ranking.h"
 #include "study/run/method_trial.h"
 #include "study/run/run_study.h"
-#include "study/spec/mask_files.h"
 #include "study/spec/resolved_study.h"
+#include "study/spec/sections/method_section.h"
 
 namespace gnomon::cli {
+namespace fs = std::filesystem;
+namespace {
+
+const report::FolderKind rankingKind{
+    "ranking.json", {"ranking.csv", "ranking.md", "ranking.html"}, "ranking.txt", true};
+
+}  // namespace
+
+const report::FolderKind studyFolderKind{"summary.json", {"report.html"}};
+
+std::vector<fs::path> inputsBeside(const study::StudyPlan& plan) {
+  std::vector<fs::path> inputs = study::inputFiles(plan.steps.front());
+  std::erase(inputs, plan.steps.front().file);
+  return inputs;
+}
+
+void RunFolders::claim(const study::StudyPlan& plan, const fs::path& out, bool withSteps) {
+  const std::vector<fs::path> inputs = inputsBeside(plan);
+  const auto checked = [&](const std::string& name) {
+    study::requireCopyOrNothing(out / name / study::studyCopyName(name));
+    report::RunFolder folder(out / name, studyFolderKind);
+    folder.requireNone(inputs);
+    return folder;
+  };
+  report::RunFolder folder = checked(plan.name);
+  std::vector<std::string> steps;
+  for (const study::StudySpec& step : plan.steps) {
+    if (step.name == plan.name || !withSteps) continue;
+    (void)checked(step.name);
+    steps.push_back(step.name);
+  }
+  folders_.emplace(plan.name, std::move(folder));
+  steps_.emplace(plan.name, std::move(steps));
+}
+
+void RunFolders::claimRanking(const fs::path& out) {
+  ranking_.emplace(out, rankingKind);
+}
+
+void RunFolders::clear(const fs::path& out) {
+  report::RunFolder old(out, rankingKind);
+  const bool tellsOfOurs = std::any_of(folders_.begin(), folders_.end(), [&](const auto& folder) {
+    return old.names(folder.first + "/");
+  });
+  if (ranking_) {
+    ranking_->clear();
+  } else if (tellsOfOurs) {
+    old.clear();
+  }
+  for (const auto& [study, steps] : steps_) {
+    report::RunFolder& folder = folders_.at(study);
+    folder.clear();
+    for (const std::string& step : steps) {
+      folders_.emplace(step, report::RunFolder(folder, step.substr(study.size() + 1)));
+    }
+  }
+}
 
 /// Does work that takes a StageProgress: that of the request, or a line on the terminal.
 template <typename Work>
@@ -32,7 +87,7 @@ study::StudyRecord MeasuredCases::shown(const study::StudySpec& study, const Wor
   if (!progress) {
     progress = [this](std::string_view stage, double share) { line_.update(stage, share); };
   }
-  store_.expectCases(isStep(study));
+  cache_.expectCases(isStep(study));
   study::StudyRecord record = inStudy(study, [&] { return work(progress); });
   line_.clear();
   return record;
@@ -47,14 +102,14 @@ study::StudyRecord MeasuredCases::measure(const study::StudySpec& study,
   line_.beginCase(study.name);
   report::FolderWriter writer(folder, [this] { reports_.wait(); });
   return shown(study, [&](const study::StageProgress& progress) {
-    return study::runStudy(study, gl_, writer, cache_, store_, progress);
+    return study::runStudy(study, gl_, writer, cache_, progress);
   });
 }
 
 study::StudyRecord MeasuredCases::measureFigures(const study::StudySpec& study) {
   line_.beginCase(study.name);
   return shown(study, [&](const study::StageProgress& progress) {
-    return study::runStudyFigures(study, gl_, cache_, store_, progress);
+    return study::runStudyFigures(study, gl_, cache_, progress);
   });
 }
 
@@ -63,7 +118,6 @@ void MeasuredCases::report(const std::function<void()>& write) {
   write();
 }
 
-namespace fs = std::filesystem;
 namespace {
 
 void writeCopy(const toml::table& study, report::RunFolder& folder, const std::string& name) {
@@ -143,8 +197,8 @@ void report(const study::StudySpec& study, Records& records, std::size_t own,
 }
 
 /// The same, the reports perhaps while the next step is measured, of a copy.
-void reportBeside(const study::StudySpec& study, Records& records, std::size_t own,
-                  const RunRequest& request, cache::Cache& cache, MeasuredCases& cases) {
+void reportInBackground(const study::StudySpec& study, Records& records, std::size_t own,
+                        const RunRequest& request, cache::Cache& cache, MeasuredCases& cases) {
   records.all[own].claims = study::judgeClaims(study.claims, records.all[own]);
   const std::string& name = records.all[own].name;
   if (!records.folders.holds(name)) return;
@@ -201,7 +255,7 @@ void runSteps(const PlanRecords& part, MeasuredCases& cases, const RunRequest& r
     measureStep(plan, step, cases, request, records);
     if (judgeStep) judgeStep(records.all.back());
     // At once, so that a later failure leaves this one's report.
-    reportBeside(step, records, records.all.size() - 1, request, cache, cases);
+    reportInBackground(step, records, records.all.size() - 1, request, cache, cases);
   }
   reports.finish();
   if (plan.sweep) writeSweep(part, request, cache, records);

@@ -1,8 +1,5 @@
 #include "common/mask.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace gnomon {
 
 Visibility asShares(const Mask& mask) {

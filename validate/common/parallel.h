@@ -3,6 +3,10 @@
 #include <tbb/global_control.h>
 
 #include <cstddef>
+#include <functional>
+#include <future>
+#include <optional>
+#include <utility>
 
 #include "common/progress.h"
 
@@ -15,6 +19,12 @@
 #else
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#endif
+
+#if defined(__SANITIZE_THREAD__)
+#include <future>
+#else
+#include <tbb/task_group.h>
 #endif
 
 namespace gnomon {
@@ -60,5 +70,70 @@ void parallelFor(std::size_t begin, std::size_t end, const Body& body, std::size
   throwIfCancelled();  // then TBB has left bodies out, without a word
 #endif
 }
+
+/// Calls `here()` on this thread, for work that is bound to it, and `there()` on any, at the same
+/// time where the process allows another. Both have ended when it returns. If `here` throws,
+/// `there` may be left out, and its exception (of two, any) leaves this call.
+template <typename Here, typename There>
+void alongside(const Here& here, const There& there) {
+#if defined(__SANITIZE_THREAD__)
+  // As in parallelFor: ThreadSanitizer does not see how TBB hands work over.
+  std::future<void> other = std::async(std::launch::async, there);
+  here();
+  other.get();
+#else
+  tbb::task_group other;
+  other.run(there);
+  try {
+    here();
+  } catch (...) {
+    other.cancel();
+    other.wait();
+    throw;
+  }
+  other.wait();
+  throwIfCancelled();  // then `there` may have been left out
+#endif
+}
+
+/// A value that is made when it is first asked for, by one thread at a time.
+template <typename T>
+class OnDemand {
+ public:
+  /// @param make  what it refers to outlives the value's making
+  explicit OnDemand(std::function<T()> make) : make_(std::move(make)) {}
+
+  [[nodiscard]] const T& get() const {
+    if (!value_) value_.emplace(make_());
+    return *value_;
+  }
+
+ private:
+  std::function<T()> make_;
+  mutable std::optional<T> value_;
+};
+
+/// Work that goes on while its owner does something else, one piece after the other.
+class BackgroundWork {
+ public:
+  /// Starts a piece once the former has ended.
+  /// @throws what that threw
+  void start(std::function<void()> work) {
+    finish();
+    running_ = std::async(std::launch::async, std::move(work));
+  }
+  /// Waits; what a piece threw waits too.
+  void wait() const {
+    if (running_.valid()) running_.wait();
+  }
+  /// Waits for the last piece.
+  /// @throws what it threw
+  void finish() {
+    if (running_.valid()) running_.get();
+  }
+
+ private:
+  std::future<void> running_;  ///< which waits before it goes
+};
 
 }  // namespace gnomon

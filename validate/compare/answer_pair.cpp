@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "compare/mask_metrics.h"
-
 namespace gnomon::compare {
 
 std::vector<std::vector<std::size_t>> answerGroups(std::span<const Mask* const> candidates,

@@ -12,8 +12,8 @@
 
 #include "common/error.h"
 #include "common/mask.h"
+#include "compare/answer_metrics.h"
 #include "compare/counts.h"
-#include "compare/mask_metrics.h"
 
 namespace gnomon::compare {
 

@@ -1,14 +1,12 @@
 #include "compare/boundaries.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
 #include "common/parallel.h"
 #include "compare/answer_pair.h"
 #include "compare/contour.h"
-#include "compare/mask_metrics.h"
 
 namespace gnomon::compare {
 namespace {

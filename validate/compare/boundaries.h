@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/mask.h"
-#include "compare/mask_metrics.h"
+#include "compare/answer_metrics.h"
 #include "compare/metric.h"
 
 namespace gnomon::compare {
@@ -52,7 +52,7 @@ constexpr std::array<double, 3> boundaryTolerances = {1, 2, 4};
 /// bits, whatever the number of threads.
 /// @return in this order: assd, hd95, boundary_iou_1, _2, _4, surface_dice_1, _2, _4
 /// @throws InputError if sizes differ or a step of the layout is not above 0; MemoryError if the
-///   contours cannot be held
+///   contours do not fit in memory
 std::vector<Metric> compareBoundaries(const Mask& candidate, const Mask& truth,
                                       const SampleLayout& layout = {});
 

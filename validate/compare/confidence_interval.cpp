@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <numeric>
-#include <vector>
 
 #include "common/error.h"
 #include "common/random_stream.h"
+#include "compare/answer_metrics.h"
 #include "compare/answer_pair.h"
 #include "compare/counts.h"
-#include "compare/mask_metrics.h"
 
 namespace gnomon::compare {
 
@@ -111,7 +109,7 @@ struct PairedBlock {
   double secondWrong = 0;
   double secondWeight = 0;
 
-  [[nodiscard]] bool isHeld() const { return firstWeight > 0 || secondWeight > 0; }
+  [[nodiscard]] bool isFilled() const { return firstWeight > 0 || secondWeight > 0; }
   [[nodiscard]] bool isShared() const { return firstWeight > 0 && secondWeight > 0; }
   /// r of the header.
   [[nodiscard]] double difference() const {
@@ -125,9 +123,9 @@ struct BlockGrid {
   std::vector<PairedBlock> blocks;
 
   [[nodiscard]] std::size_t rows() const { return blocks.size() / columns; }
-  [[nodiscard]] std::size_t held() const {
+  [[nodiscard]] std::size_t filled() const {
     return static_cast<std::size_t>(
-        std::count_if(blocks.begin(), blocks.end(), [](const auto& b) { return b.isHeld(); }));
+        std::count_if(blocks.begin(), blocks.end(), [](const auto& b) { return b.isFilled(); }));
   }
 };
 
@@ -162,7 +160,7 @@ std::vector<double> sharesOf(const BlockGrid& grid) {
     sum.firstWeight += block.firstWeight;
     sum.secondWeight += block.secondWeight;
   }
-  const double least = 0.1 / static_cast<double>(std::max<std::size_t>(1, grid.held()));
+  const double least = 0.1 / static_cast<double>(std::max<std::size_t>(1, grid.filled()));
   std::vector<double> shares;
   for (const PairedBlock& block : grid.blocks) {
     const double share =
@@ -257,23 +255,23 @@ ConfidenceInterval intervalOf(const BlockErrors& first, const BlockErrors& secon
                               const Tiling& tiling, double least, double most) {
   requireCells(first, second, tiling);
   const BlockGrid blocks = blocksOf(first, second, tiling.columns, 2);
-  const std::size_t held = blocks.held();
-  if (held < leastBlocks) return {{}, "the view has too few blocks of samples", held};
+  const std::size_t filled = blocks.filled();
+  if (filled < leastBlocks) return {{}, "the view has too few blocks of samples", filled};
   const auto differing =
       std::count_if(blocks.blocks.begin(), blocks.blocks.end(),
                     [](const PairedBlock& block) { return block.firstWrong != block.secondWrong; });
-  if (differing == 0) return {{}, "no block of the view holds an error", held};
+  if (differing == 0) return {{}, "no block of the view holds an error", filled};
   if (differing < static_cast<std::ptrdiff_t>(leastWrongBlocks)) {
-    return {{}, "too few blocks of the view hold an error", held};
+    return {{}, "too few blocks of the view hold an error", filled};
   }
   const Spread spread = correctedSpread(blocks, blocksOf(first, second, tiling.columns, 1));
-  if (!(spread.standardError > 0)) return {{}, "every block of the view gives the same", held};
+  if (!(spread.standardError > 0)) return {{}, "every block of the view gives the same", filled};
   if (spread.degrees < leastDegrees) {
-    return {{}, "a few blocks of the view hold nearly all errors", held};
+    return {{}, "a few blocks of the view hold nearly all errors", filled};
   }
   const double centre = first.rate() - second.rate();
   const double half = studentQuantile(spread.degrees) * spread.standardError;
-  return {Interval{std::max(least, centre - half), std::min(most, centre + half)}, {}, held};
+  return {Interval{std::max(least, centre - half), std::min(most, centre + half)}, {}, filled};
 }
 
 /// x of the header, of the blocks in which it is not 0.

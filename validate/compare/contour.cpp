@@ -10,7 +10,6 @@
 
 #include "common/error.h"
 #include "common/system/memory.h"
-#include "compare/mask_metrics.h"
 
 namespace gnomon::compare {
 namespace {

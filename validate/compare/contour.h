@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/mask.h"
-#include "compare/mask_metrics.h"
+#include "compare/answer_metrics.h"
 
 namespace gnomon::compare {
 
@@ -26,7 +26,7 @@ struct Contour {
 
 /// The contour of `mask` among the samples for which `other` has an answer too.
 /// @throws InputError if sizes differ, or of the layout's breaks, or for a step that is not above 0
-///   and finite, or for tiles of a negative side; MemoryError if the contour cannot be held
+///   and finite, or for tiles of a negative side; MemoryError if the contour does not fit in memory
 Contour contourOf(const Mask& mask, const Mask& other, const SampleLayout& layout);
 
 /// Exact Euclidean distances to the nearest side of a contour, one half row at a time.

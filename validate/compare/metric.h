@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
@@ -19,8 +18,8 @@ enum class MetricKind {
   rate,      ///< counts of samples: counts.h
   boundary,  ///< the boundaries of shadows: boundaries.h
   length,    ///< shadows along the light: shadow_length.h
-  share,     ///< shares of a light's disc: share_metrics.h
-  penumbra,  ///< the widths of penumbrae: share_metrics.h
+  share,     ///< shares of a light's disc: answer_metrics.h
+  penumbra,  ///< the widths of penumbrae: answer_metrics.h
 };
 
 /// It decides a metric's range (metricRange) and how it is written.
@@ -32,7 +31,7 @@ enum class MetricUnit {
   count,        ///< of samples
 };
 
-/// What is known of a metric beside its formula.
+/// What is known of a metric apart from its formula.
 struct MetricTraits {
   std::string_view name;  ///< in files, thresholds and tables
   MetricKind kind;
@@ -41,7 +40,7 @@ struct MetricTraits {
 };
 
 /// All metrics, in the order of the columns of metrics.csv. A new one is a row here and a formula
-/// beside those of its kind.
+/// in addition to those of its kind.
 inline constexpr auto metricTraits =
     std::to_array<MetricTraits>({{"error_rate", MetricKind::rate, MetricUnit::share, 0},
                                  {"false_shadow", MetricKind::rate, MetricUnit::share, 0},

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 
 #include "common/error.h"
 #include "common/lists.h"
 #include "common/parallel.h"
 #include "common/vec.h"
+#include "compare/answer_metrics.h"
 #include "compare/answer_pair.h"
-#include "compare/mask_metrics.h"
 
 namespace gnomon::compare {
 namespace {
@@ -96,7 +95,7 @@ constexpr unsigned answersBit = 2;
 constexpr unsigned selectedBit = 4;
 constexpr std::size_t firstCandidateBit = 3;
 
-/// How many candidates there is room for beside those.
+/// How many candidates there is room for in addition to those.
 template <typename Word>
 constexpr std::size_t mostCandidatesIn = 8 * sizeof(Word) - firstCandidateBit;
 static_assert(mostCandidatesAtOnce <= mostCandidatesIn<std::uint64_t>);

@@ -4,7 +4,6 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "common/mask.h"

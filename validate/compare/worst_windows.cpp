@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
-#include <optional>
 
 #include "common/raw_vector.h"
 
@@ -12,7 +10,7 @@ namespace gnomon::compare {
 namespace {
 
 /// Errors in whole steps, so that windows of equal errors have equal sums wherever they lie.
-struct Shares {
+struct ShareErrors {
   using Sum = std::int64_t;
   static constexpr double steps = 65536;
   static Sum inSteps(float error) {
@@ -20,7 +18,7 @@ struct Shares {
     return std::llround(steps * error);
   }
 };
-struct Marks {
+struct MaskErrors {
   using Sum = std::int32_t;
   static constexpr double steps = 1;
   static Sum inSteps(std::uint8_t error) { return error; }
@@ -87,12 +85,12 @@ std::vector<Window> windowsOf(std::span<const Error> errors, int width, int heig
 
 std::vector<Window> worstWindows(std::span<const float> errors, int width, int height, int side,
                                  std::size_t most) {
-  return windowsOf<Shares>(errors, width, height, side, most);
+  return windowsOf<ShareErrors>(errors, width, height, side, most);
 }
 
 std::vector<Window> worstWindows(std::span<const std::uint8_t> errors, int width, int height,
                                  int side, std::size_t most) {
-  return windowsOf<Marks>(errors, width, height, side, most);
+  return windowsOf<MaskErrors>(errors, width, height, side, most);
 }
 
 }  // namespace gnomon::compare

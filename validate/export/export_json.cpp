@@ -1,8 +1,6 @@
 #include "export/export_json.h"
 
 #include "common/files/input_file.h"
-#include "export/mesh_files.h"
-#include "export/sample_map.h"
 #include "export/truth_files.h"
 #include "render/gpu_scene.h"
 #include "report/json/json_values.h"
@@ -94,8 +92,9 @@ report::Json cameraJson(const Camera& camera, const surface::BaseMesh& mesh) {
           {"projection", matrixJson(matrices.projection)}};
 }
 
-report::Json atlasJson(const study::AtlasSpec& atlas, const render::RenderView& view) {
-  return {{"samples_per_side", atlas.samplesPerSide},
+/// Of a view without a camera: a tile a face, as far as it has tiles.
+report::Json tilesJson(const render::RenderView& view) {
+  return {{"samples_per_side", view.width / std::max(1, view.atlasTiles.x)},
           {"columns", view.atlasTiles.x},
           {"rows", view.atlasTiles.y}};
 }
@@ -138,10 +137,8 @@ report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
   report::Json json = {{"name", spec.name}, {"width", view.width}, {"height", view.height}};
   const std::string type(study::viewKindNames.at(spec.kind.index()));
   json["type"] = type;
-  json[type] = std::visit(
-      Overloaded{[&](const Camera& camera) { return cameraJson(camera, base.drawn.get()->mesh); },
-                 [&](const study::AtlasSpec& atlas) { return atlasJson(atlas, view); }},
-      spec.kind);
+  const Camera* camera = cameraOf(spec);
+  json[type] = camera ? cameraJson(*camera, base.drawn.get()->mesh) : tilesJson(view);
   addMap(json, sampleMapFile(names, index));
   json["roi"] = roiFile(names, index);
   report::Json masks = report::Json::array();
@@ -152,8 +149,7 @@ report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
                              record.truth.flips.at(index * lights + l).flipRate));
   }
   json["masks"] = std::move(masks);
-  json["drawn"] = cameraOf(spec) == nullptr ? report::Json(nullptr)
-                                            : drawnJson(scene, drawnUncertainties, names, index);
+  json["drawn"] = camera ? drawnJson(scene, drawnUncertainties, names, index) : report::Json();
   return json;
 }
 
@@ -260,7 +256,7 @@ std::optional<double> uncertaintyIn(const report::JsonReader& view, const fs::pa
 
 /// What an export states of a file; the folder is the export's.
 std::optional<double> uncertaintyBy(const fs::path& index, const fs::path& file) {
-  if (!pathExists(index)) return std::nullopt;
+  if (!isThere(index)) return std::nullopt;
   const report::Json json = report::readJson(index);
   const report::JsonReader root(json, index.string(), "");
   const fs::path folder = index.parent_path();

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "export/mesh_files.h"
-#include "horizon/table_file.h"
+#include "horizon/stored_table.h"
 #include "study/run/run_study.h"
 #include "study/run/scene/run_scene.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 
 namespace gnomon::exporting {
 

@@ -6,16 +6,13 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <string_view>
-#include <vector>
 
 #include "common/files/atomic_file.h"
 #include "common/parallel.h"
 #include "common/system/memory.h"
-#include "export/sample_map.h"
 #include "export/truth_files.h"
 #include "truth/displaced_picture.h"
-#include "truth/sample_place.h"
+#include "truth/shadow_tracer.h"
 #include "truth/visibility_tracer.h"
 
 namespace gnomon::exporting {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "displaced/welded_mesh.h"
+#include "displaced/displaced_mesh.h"
 #include "report/run_folder.h"
 #include "study/run/run_study.h"
 #include "study/run/scene/run_scene.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 #include "surface/base_mesh.h"
 #include "truth/micro_mesh.h"
 
@@ -18,14 +18,14 @@ namespace gnomon::exporting {
 /// Writes the triangles as a binary PLY (in this machine's byte order, which the header states):
 /// `float x y z` a vertex, `uchar int int int` a face. Whole or not at all.
 /// @throws InputError when the file cannot be written
-void writePly(const std::filesystem::path& path, const displaced::WeldedMesh& mesh,
+void writePly(const std::filesystem::path& file, const displaced::WeldedMesh& mesh,
               const std::string& comment);
 
 /// Writes the triangles as a Wavefront OBJ, each vertex with its own `vt` (uv) and `vn`, in floats
 /// as the rasteriser gets them, with every digit. Whole or not at all.
 /// @param texelsPerUv  as in texelFrame
 /// @throws InputError when the file cannot be written
-void writeObj(const std::filesystem::path& path, const surface::BaseMesh& mesh, Vec2 texelsPerUv,
+void writeObj(const std::filesystem::path& file, const surface::BaseMesh& mesh, Vec2 texelsPerUv,
               const std::string& comment);
 
 /// The displaced surface as a camera draws it: what a path tracer's own primary rays meet. These

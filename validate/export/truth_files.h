@@ -2,13 +2,28 @@
 
 #include <string>
 
-#include "displaced/welded_mesh.h"
+#include "displaced/displaced_mesh.h"
+#include "image/images.h"
 #include "report/run_folder.h"
 #include "study/run/run_study.h"
 #include "study/run/scene/run_scene.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 
 namespace gnomon::exporting {
+
+/// The other forms of a map `samples/VIEW.exr`: `samples/VIEW.npy`, and
+/// `samples/VIEW_layers.exr`, whose channels all are X, Y or Z of a layer, since programs as
+/// Blender read no others: face, s and t are `place.X`, `.Y`, `.Z`, and weight is `texel.Z`.
+std::string npyName(const std::string& mapFile);
+std::string layersName(const std::string& mapFile);
+
+/// Writes a map in its three forms, each whole or not at all.
+/// @param mapFile  its name, with .exr at the end
+void writeSampleMap(report::RunFolder& folder, const std::string& mapFile, image::ChannelImage map);
+
+/// A picture as the bytes of a NumPy file (format 1.0): 32-bit little-endian floats of shape
+/// (height, width, channels), row 0 at the top. Same numbers, same bytes.
+std::string npyBytes(const image::ChannelImage& image);
 
 /// `masks/VIEW_LIGHT_truth.png`, as in a run's folder.
 std::string truthMaskFile(const study::CaseNames& names, std::size_t view, std::size_t light);
@@ -45,7 +60,7 @@ void writeHeights(report::RunFolder& folder, const relief::HeightField& field);
 /// The names of a sample map's channels, in the order that its NumPy file has them.
 const std::vector<std::string>& sampleChannels();
 
-/// Writes a sample map, in its three forms (sample_map.h), for every view of the standard base,
+/// Writes a sample map, in its three forms (truth_files.h), for every view of the standard base,
 /// whose truths are not needed. Channels:
 ///   face, s, t          the sample; face is -1, and all else 0, where the truth has no answer
 ///   texel.X, .Y         texture coordinates in texels

@@ -3,7 +3,6 @@
 #include "common/progress.h"
 #include "common/raw_vector.h"
 #include "horizon/stored_table.h"
-#include "horizon/table_file.h"
 #include "relief/height_field.h"
 
 namespace gnomon::horizon {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/parallel.h"
-#include "horizon/reference/height_profile.h"
+#include "horizon/reference.h"
 #include "surface/curvature.h"
 #include "surface/texel_frame.h"
 

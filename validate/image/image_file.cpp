@@ -11,10 +11,9 @@
 
 #include "common/error.h"
 #include "common/system/memory.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "image/formats/picture_headers.h"
 #include "image/formats/png.h"
-#include "image/image_module.h"
 
 namespace gnomon::image {
 namespace {

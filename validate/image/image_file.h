@@ -9,7 +9,7 @@
 
 #include "common/raw_vector.h"
 #include "image/image_format.h"
-#include "image/image_reader.h"
+#include "image/image_module.h"
 
 namespace gnomon::image {
 

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "common/system/own_files.h"
-#include "common/text/words.h"
+#include "common/text.h"
 
 namespace gnomon::image {
 namespace fs = std::filesystem;
@@ -17,7 +17,7 @@ namespace {
 std::string moduleFile() {
   if (const char* chosen = std::getenv("GNOMON_IMAGE_MODULE"); chosen != nullptr) return chosen;
   const fs::path name = fs::path(GNOMON_MODULE_FOLDER) / GNOMON_IMAGE_MODULE;
-  return installedPath(name).value_or(ownFolder() / name).string();
+  return installedFile(name).value_or(ownFolder() / name).string();
 }
 
 [[noreturn]] void refuse(const std::string& reason) {

@@ -7,25 +7,31 @@
 #include <cmath>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "common/error.h"
 #include "image/grey_picture.h"
-#include "image/image.h"
-#include "image/images.h"
 
 namespace gnomon::image {
 
 namespace {
 
+constexpr float grey = 128.0F / 255.0F;
+
 bool isGrey(float value) {
   constexpr float halfRounding = 0x1p-12F;  // of a half between 1/2 and 1
-  return std::abs(value - 128.0F / 255.0F) <= 1.01F * halfRounding;
+  return std::abs(value - grey) <= 1.01F * halfRounding;
 }
 
+/// Less than a step of 16 bits, more than a half's rounding of the grey.
+constexpr float greyTolerance = 1e-5F;
+
 /// The grey of a map of visibility, which no share has.
-bool isSixteenBitGrey(float value) {
-  return std::abs(value - 128.0F / 255.0F) <= 1e-5F;
+bool isNoSampleGrey(float value) {
+  return std::abs(value - grey) <= greyTolerance;
+}
+
+float alphaOf(const GreyPicture& picture, std::size_t i) {
+  return picture.alphas.empty() ? 1.0F : picture.alphas[i];
 }
 
 /// Pixels of a kind, and the first of them.
@@ -40,8 +46,8 @@ struct Found {
 
 class PictureReader {
  public:
-  PictureReader(const std::filesystem::path& path, GreyPicture picture)
-      : path_(path), picture_(std::move(picture)) {
+  PictureReader(const std::filesystem::path& file, GreyPicture picture)
+      : path_(file), picture_(std::move(picture)) {
     for (std::size_t i = 0; i < picture_.values.size(); ++i) {
       if (!std::isfinite(alpha(i)) || (alpha(i) > 0 && !std::isfinite(picture_.values[i]))) {
         infinite_.add(i);
@@ -71,9 +77,7 @@ class PictureReader {
   }
 
  private:
-  [[nodiscard]] float alpha(std::size_t i) const {
-    return picture_.alphas.empty() ? 1.0F : picture_.alphas[i];
-  }
+  [[nodiscard]] float alpha(std::size_t i) const { return alphaOf(picture_, i); }
 
   [[nodiscard]] bool isPlain(std::size_t i) const {
     const float value = picture_.values[i];
@@ -87,7 +91,7 @@ class PictureReader {
   }
 
   [[nodiscard]] Shade parted(std::size_t i, double threshold) const {
-    if (alpha(i) < 0.5F || (picture_.integerBits == 16 && isSixteenBitGrey(picture_.values[i]))) {
+    if (alpha(i) < 0.5F || (picture_.integerBits == 16 && isNoSampleGrey(picture_.values[i]))) {
       return Shade::none;
     }
     return picture_.values[i] >= threshold ? Shade::lit : Shade::shadowed;
@@ -114,35 +118,20 @@ void invert(Mask& mask) {
   }
 }
 
-void turnUpsideDown(Mask& mask) {
-  const auto width = static_cast<std::ptrdiff_t>(mask.width);
-  for (std::ptrdiff_t top = 0, bottom = mask.height - 1; top < bottom; ++top, --bottom) {
-    std::swap_ranges(mask.samples.begin() + top * width, mask.samples.begin() + (top + 1) * width,
-                     mask.samples.begin() + bottom * width);
-  }
-}
-
 }  // namespace
 
-MaskPicture readMaskPicture(const std::filesystem::path& path, const MaskReading& reading) {
+MaskPicture readMaskPicture(const std::filesystem::path& file, const MaskReading& reading) {
   MaskPicture picture =
-      PictureReader(path, readGreyPicture(path, reading.channel)).read(reading.threshold);
+      PictureReader(file, readGreyPicture(file, reading.channel)).read(reading.threshold);
   if (reading.inverted) invert(picture.mask);
-  if (reading.upward) turnUpsideDown(picture.mask);
+  if (reading.upward) flipRows(picture.mask.samples, picture.mask.width);
   return picture;
 }
 
 namespace {
 
-constexpr float grey = 128.0F / 255.0F;
-/// Less than a step of 16 bits, more than a half's rounding of the grey.
-constexpr float greyTolerance = 1e-5F;
 constexpr std::uint16_t greyLevel = 128 * 257;
 constexpr double mostLevel = 65535;
-
-bool isNoSampleGrey(float value) {
-  return std::abs(value - grey) <= greyTolerance;
-}
 
 std::uint16_t levelOf(float share) {
   if (std::isnan(share)) return greyLevel;
@@ -151,35 +140,23 @@ std::uint16_t levelOf(float share) {
   return level == greyLevel ? greyLevel - 1 : level;
 }
 
-float alphaOf(const GreyPicture& picture, std::size_t i) {
-  return picture.alphas.empty() ? 1.0F : picture.alphas[i];
-}
-
-[[noreturn]] void refuse(const std::filesystem::path& path, const GreyPicture& picture,
+[[noreturn]] void refuse(const std::filesystem::path& file, const GreyPicture& picture,
                          std::size_t i, const char* expected) {
   const auto width = static_cast<std::size_t>(picture.width);
   throw InputError(fmt::format("{}: {} with alpha {} at column {}, row {}, {} expected",
-                               path.string(), picture.values[i], alphaOf(picture, i), i % width,
+                               file.string(), picture.values[i], alphaOf(picture, i), i % width,
                                i / width, expected));
 }
 
-float shareAt(const std::filesystem::path& path, const GreyPicture& picture, std::size_t i,
+float shareAt(const std::filesystem::path& file, const GreyPicture& picture, std::size_t i,
               bool isInverted) {
   const float alpha = alphaOf(picture, i);
   if (alpha == 0) return noSample;
-  if (alpha != 1) refuse(path, picture, i, "alpha 0 or 1");
+  if (alpha != 1) refuse(file, picture, i, "alpha 0 or 1");
   const float value = picture.values[i];
-  if (!(value >= 0 && value <= 1)) refuse(path, picture, i, "a share of 0 to 1");
+  if (!(value >= 0 && value <= 1)) refuse(file, picture, i, "a share of 0 to 1");
   if (isNoSampleGrey(value)) return noSample;
   return isInverted ? 1 - value : value;
-}
-
-void turnUpsideDown(Visibility& map) {
-  const auto width = static_cast<std::ptrdiff_t>(map.width);
-  for (std::ptrdiff_t top = 0, bottom = map.height - 1; top < bottom; ++top, --bottom) {
-    std::swap_ranges(map.shares.begin() + top * width, map.shares.begin() + (top + 1) * width,
-                     map.shares.begin() + bottom * width);
-  }
 }
 
 Rgb mixed(const Rgb& from, const Rgb& to, double share) {
@@ -220,7 +197,7 @@ SharesOfColour sharesOfColour(const Rgb& colour) {
 }
 
 /// @throws InputError for a colour that no signed difference has
-float candidateOf(const Rgb& colour, const std::filesystem::path& path) {
+float candidateOf(const Rgb& colour, const std::filesystem::path& file) {
   if (colour == DifferenceColours::none) return noSample;
   const SharesOfColour shares = sharesOfColour(colour);
   const auto candidate = static_cast<float>(shares.candidate);
@@ -228,7 +205,7 @@ float candidateOf(const Rgb& colour, const std::filesystem::path& path) {
   for (std::size_t k = 0; k < colour.size(); ++k) {
     if (std::abs(colour[k] - expected[k]) <= 2) continue;
     throw InputError(
-        fmt::format("{}: a colour found that no signed difference has", path.string()));
+        fmt::format("{}: a colour found that no signed difference has", file.string()));
   }
   return candidate;
 }
@@ -268,19 +245,19 @@ std::string shareExr(const Visibility& map) {
   return exrBytes(image);
 }
 
-Visibility readSharePicture(const std::filesystem::path& path, const MaskReading& reading) {
-  const GreyPicture picture = readGreyPicture(path, reading.channel);
+Visibility readSharePicture(const std::filesystem::path& file, const MaskReading& reading) {
+  const GreyPicture picture = readGreyPicture(file, reading.channel);
   Visibility map{picture.width, picture.height, {}};
   map.shares.reserve(picture.values.size());
   for (std::size_t i = 0; i < picture.values.size(); ++i) {
-    map.shares.push_back(shareAt(path, picture, i, reading.inverted));
+    map.shares.push_back(shareAt(file, picture, i, reading.inverted));
   }
-  if (reading.upward) turnUpsideDown(map);
+  if (reading.upward) flipRows(map.shares, map.width);
   return map;
 }
 
-bool holdsShares(const std::filesystem::path& path, const MaskReading& reading) {
-  const GreyPicture picture = readGreyPicture(path, reading.channel);
+bool holdsShares(const std::filesystem::path& file, const MaskReading& reading) {
+  const GreyPicture picture = readGreyPicture(file, reading.channel);
   if (picture.integerBits == 8) return false;
   for (std::size_t i = 0; i < picture.values.size(); ++i) {
     const float value = picture.values[i];
@@ -300,9 +277,9 @@ Image shareDifferenceImage(const Visibility& candidate, const Visibility& truth)
   return image;
 }
 
-Visibility sharesOfDifference(const std::filesystem::path& path) {
+Visibility sharesOfDifference(const std::filesystem::path& file) {
   std::array<GreyPicture, 3> channels;
-  for (std::size_t k = 0; k < 3; ++k) channels[k] = readGreyPicture(path, std::string(1, "RGB"[k]));
+  for (std::size_t k = 0; k < 3; ++k) channels[k] = readGreyPicture(file, std::string(1, "RGB"[k]));
   Visibility map{channels[0].width, channels[0].height, {}};
   map.shares.reserve(channels[0].values.size());
   for (std::size_t i = 0; i < channels[0].values.size(); ++i) {
@@ -310,7 +287,7 @@ Visibility sharesOfDifference(const std::filesystem::path& path) {
     for (std::size_t k = 0; k < 3; ++k) {
       colour[k] = static_cast<std::uint8_t>(std::lround(255 * channels[k].values[i]));
     }
-    map.shares.push_back(candidateOf(colour, path));
+    map.shares.push_back(candidateOf(colour, file));
   }
   return map;
 }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/mask.h"
-#include "image/image.h"
+#include "image/images.h"
 
 namespace gnomon::image {
 
@@ -32,7 +32,7 @@ struct MaskPicture {
 /// integers the grey to within 10⁻⁵, too.
 /// @throws InputError as `readGreyPicture`; for a value that is not finite, threshold or not; and,
 ///   without a threshold, for any other value: with their number and the first one's place
-MaskPicture readMaskPicture(const std::filesystem::path& path, const MaskReading& reading = {});
+MaskPicture readMaskPicture(const std::filesystem::path& file, const MaskReading& reading = {});
 
 /// A map of visibility as a PNG of 16-bit greys: V times 65,535, rounded; no sample is 32,896,
 /// which is Gnomon's grey of masks, 128/255. A share that would be rounded to that is written as
@@ -49,12 +49,12 @@ std::string shareExr(const Visibility& map);
 /// @param reading  its channel, `inverted` (values are 1 - V) and `upward`; it has no threshold
 /// @throws InputError as `readGreyPicture`; for a value that is not finite or not 0 to 1, and for a
 ///   partial alpha, with its place
-Visibility readSharePicture(const std::filesystem::path& path, const MaskReading& reading = {});
+Visibility readSharePicture(const std::filesystem::path& file, const MaskReading& reading = {});
 
 /// Whether a picture of a mask holds shares: values between those of a mask, in more than 8 bits.
 /// In 8 bits they are taken for the smoothed edges of a mask.
 /// @throws InputError as `readGreyPicture`
-bool holdsShares(const std::filesystem::path& path, const MaskReading& reading = {});
+bool holdsShares(const std::filesystem::path& file, const MaskReading& reading = {});
 
 /// Where a candidate differs from the truth, by how much and in which direction: from the grey
 /// between DifferenceColours' bothShadowed and bothLit that V_truth says toward falseShadow or
@@ -66,6 +66,6 @@ Image shareDifferenceImage(const Visibility& candidate, const Visibility& truth)
 /// The candidate's shares in a file of such a picture: zeros and ones as they are, others to 0.02
 /// where they differ from the truth by at most a half, else to 0.1: its colours have 8 bits.
 /// @throws InputError as `readGreyPicture`, and for a colour that no such picture has
-Visibility sharesOfDifference(const std::filesystem::path& path);
+Visibility sharesOfDifference(const std::filesystem::path& file);
 
 }  // namespace gnomon::image

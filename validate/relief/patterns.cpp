@@ -2,21 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <complex>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "common/error.h"
-#include "common/parallel.h"
 #include "common/random_stream.h"
 #include "common/system/memory.h"
-#include "common/vec.h"
 
 namespace gnomon::relief {
 

@@ -95,7 +95,7 @@ HeightField sampledMap(int width, int height, double amplitude, Wrap wrap,
   return {width, height, std::move(texels), wrap};
 }
 
-/// 3t² - 2t³ of t = x, held within 0 and 1.
+/// 3t² - 2t³ of t = x, clamped to 0 … 1.
 inline double smoothstep(double x) {
   const double t = std::clamp(x, 0.0, 1.0);
   return t * t * (3 - 2 * t);

@@ -18,7 +18,6 @@
 #include "common/system/memory.h"
 #include "relief/patterns.h"
 #include "surface/curvature.h"
-#include "surface/limit_surface.h"
 #include "surface/texel_frame.h"
 #include "surface/texture_layout.h"
 
@@ -305,11 +304,11 @@ class Owners {
 
   /// Of the texels whose centre a face holds, the share that two ask different heights of.
   [[nodiscard]] double disputedShare() const {
-    const auto held = std::count_if(owners_.begin(), owners_.end(),
-                                    [](const Owner& owner) { return owner.distance == 0; });
+    const auto owned = std::count_if(owners_.begin(), owners_.end(),
+                                     [](const Owner& owner) { return owner.distance == 0; });
     const auto disputed = std::count_if(owners_.begin(), owners_.end(),
                                         [](const Owner& owner) { return owner.isDisputed; });
-    return disputed > 0 ? static_cast<double>(disputed) / static_cast<double>(held) : 0;
+    return disputed > 0 ? static_cast<double>(disputed) / static_cast<double>(owned) : 0;
   }
 
  private:

@@ -13,7 +13,7 @@ namespace gnomon::relief {
 /// seams. Lengths in world units. See each for its formula.
 
 /// Gradient noise (Perlin 1985, with the fade curve of 2002) of several octaves:
-///   ½ + ½ Σ g_i noise(2^i p / period + i-th shift) / Σ g_i, g_i = gain^i, held within 0 and 1.
+///   ½ + ½ Σ g_i noise(2^i p / period + i-th shift) / Σ g_i, g_i = gain^i, clamped to 0 … 1.
 /// Most values lie between 0.2 and 0.8. Lattice gradients are the twelve edges of a cube, by a hash
 /// of the point and the seed.
 struct SolidNoise {

@@ -8,11 +8,9 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <utility>
 
 #include "common/error.h"
-#include "common/text/toml_nesting.h"
-#include "common/text/words.h"
+#include "common/text.h"
 
 namespace gnomon::render {
 

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "common/error.h"
 
 namespace gnomon::render::gl {
@@ -156,7 +154,7 @@ void Target::readUpward(std::size_t attachment, GLenum format, GLenum type, std:
                     values);
 }
 
-const Target& HeldTargets::get(int width, int height, const std::vector<GLenum>& formats) const {
+const Target& SharedTargets::get(int width, int height, const std::vector<GLenum>& formats) const {
   if (width != width_ || height != height_) targets_.clear();
   width_ = width;
   height_ = height;

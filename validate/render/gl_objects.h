@@ -186,7 +186,7 @@ class Target {
 /// Targets that frames are drawn into one after the other, of one method or of many: where a driver
 /// draws in software, to get fresh memory takes as long as a small frame. A frame finds in them
 /// what the last one left. Those of the last size are kept.
-class HeldTargets {
+class SharedTargets {
  public:
   /// The target of a size and of these formats. It stays valid until another size is asked for.
   /// @throws InputError as Target

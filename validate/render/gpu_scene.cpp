@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,7 +15,6 @@
 #include "common/parallel.h"
 #include "common/system/memory.h"
 #include "render/gl_context.h"
-#include "render/gl_objects.h"
 
 namespace gnomon::render {
 

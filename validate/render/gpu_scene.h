@@ -8,7 +8,7 @@
 #include "common/camera.h"
 #include "displaced/displaced_mesh.h"
 #include "horizon/angle_table.h"
-#include "horizon/table_file.h"
+#include "horizon/stored_table.h"
 #include "relief/relief.h"
 #include "render/gl_objects.h"
 #include "surface/base_mesh.h"

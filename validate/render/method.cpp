@@ -4,18 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "common/error.h"
 #include "common/system/memory.h"
 #include "render/declaration.h"
-#include "render/glsl_text.h"
 
 namespace gnomon::render {
 

@@ -145,7 +145,7 @@ struct Method {
   bool hasOwnNormal = false;
   bool hasTest = true;         ///< defines `isShadowed`; else it follows from the other two
   bool answersShares = false;  ///< defines `visibility`; else a soft light is lit or not, 0 or 1
-  bool hasHorizon = false;     ///< defines `horizonSlope`, which can be held against a disc
+  bool hasHorizon = false;     ///< defines `horizonSlope`, which can be compared with a disc
   std::optional<int> subdivisions;  ///< the authors', over a study's own
   std::optional<int> azimuths;      ///< the authors', over a study's own
   std::map<std::string, MethodParameter> parameters;
@@ -157,13 +157,13 @@ struct Method {
 
   /// Whether it can answer in the pictures of a camera alone.
   [[nodiscard]] bool needsCamera() const { return needsEye || passes.needCamera(); }
-  /// The files that it is made of beside its own.
+  /// The files that it is made of apart from its own.
   [[nodiscard]] std::vector<std::filesystem::path> otherFiles() const;
 };
 
 /// @throws InputError naming file and line for a declaration that is missing, malformed, or holds a
 ///   key that it should not
-Method readMethod(const std::filesystem::path& path);
+Method readMethod(const std::filesystem::path& file);
 
 /// A parameter's value: the chosen one, or the authors'.
 /// @param chosen  values by the parameters' names
@@ -185,7 +185,7 @@ std::vector<std::string> methodNames(const std::filesystem::path& shaders);
 /// What a method says of a soft light.
 enum class SoftAnswer {
   own,   ///< its `visibility`; 0 or 1 where its file has none
-  disc,  ///< its horizon held against the disc by the closed form, `shareOver` of disc.glsl
+  disc,  ///< its horizon compared with the disc by the closed form, `shareOver` of disc.glsl
 };
 
 /// The define of a method's soft answers; none where it has only 0 and 1 to say.

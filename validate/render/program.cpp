@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <functional>
 #include <initializer_list>
 #include <optional>
@@ -17,8 +16,7 @@
 
 #include "common/error.h"
 #include "common/lists.h"
-#include "common/text/words.h"
-#include "render/glsl_text.h"
+#include "common/text.h"
 
 namespace gnomon::render {
 

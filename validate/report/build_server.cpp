@@ -13,13 +13,13 @@
 #include <utility>
 
 #include "common/error.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "image/grey_picture.h"
 #include "image/images.h"
 #include "report/terminal_page.h"
 #include "report/text/html.h"
 #include "report/text/verdict_text.h"
-#include "study/judge/baseline.h"
+#include "study/judge/gates.h"
 
 namespace gnomon::report {
 

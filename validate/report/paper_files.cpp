@@ -8,7 +8,7 @@
 #include <set>
 
 #include "common/lists.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "compare/counts.h"
 #include "report/plots/line_plot.h"
 #include "report/plots/study_plots.h"
@@ -21,7 +21,6 @@
 #include "report/terminal_page.h"
 #include "report/text/number_text.h"
 #include "study/judge/ranking.h"
-#include "study/judge/study_means.h"
 #include "study/record/cases.h"
 
 namespace gnomon::report {

@@ -11,7 +11,6 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "image/image.h"
 #include "image/images.h"
 #include "image/mask_picture.h"
 #include "report/json/results_json.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cache/cache.h"
-#include "common/files/part_file.h"
+#include "common/files/atomic_file.h"
 #include "report/tables/latex_table.h"
 #include "study/record/record.h"
 #include "study/record/sweep_record.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "common/text/words.h"
+#include "common/text.h"
 #include "report/text/number_text.h"
 
 namespace gnomon::report {
@@ -21,7 +21,7 @@ struct Glyph {
 
 /// A character as a terminal may be given it.
 Glyph glyphOf(const Utf8Character& character, std::string_view bytes) {
-  if (!character.valid || turnsDirection(character.code)) return {"\uFFFD", 1};
+  if (!character.valid || reversesText(character.code)) return {"\uFFFD", 1};
   const auto code = static_cast<utf8proc_int32_t>(character.code);
   const bool isAssigned = utf8proc_category(code) != UTF8PROC_CATEGORY_CN;
   if (!isAssigned || isControl(character.code)) return {"?", 1};
@@ -133,7 +133,7 @@ std::string xmlText(std::string_view text) {
   clean.reserve(text.size());
   while (!text.empty()) {
     const Utf8Character character = firstCharacter(text);
-    const bool stays = character.valid && isXml(character.code) && !turnsDirection(character.code);
+    const bool stays = character.valid && isXml(character.code) && !reversesText(character.code);
     clean += stays ? text.substr(0, character.bytes) : "\uFFFD";
     text.remove_prefix(character.bytes);
   }

@@ -15,7 +15,7 @@
 #include "report/terminal_page.h"
 #include "report/text/number_text.h"
 #include "report/text/verdict_text.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 #include "study/record/cases.h"
 
 namespace gnomon::report {

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "image/image.h"
 #include "image/images.h"
 #include "report/run_folder.h"
 #include "study/record/record.h"

@@ -8,12 +8,10 @@
 #include <mutex>
 #include <shared_mutex>
 #include <utility>
-#include <vector>
 
 #include "common/error.h"
 #include "common/parallel.h"
 #include "common/system/memory.h"
-#include "surface/cage/cage.h"
 
 namespace gnomon::surface {
 

@@ -6,30 +6,26 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/system/memory.h"
-#include "surface/readers/obj_reader.h"
-#include "surface/readers/ply_reader.h"
+#include "surface/readers/polygon_mesh.h"
 
 namespace gnomon::surface {
 namespace {
 
-struct Format {
-  std::string_view ending;
-  PolygonMesh (*read)(const std::string& source, std::string_view bytes);
-  /// Memory that reading takes, for each byte of the file. Of an OBJ: text, its checked copy,
-  /// tinyobjloader's arrays and ours, OpenSubdiv's two levels. A face of a binary PLY may take no
-  /// more than ten bytes, with its corners' vertices and texture coordinates as many again; here
-  /// some hundred a corner, and OpenSubdiv's two levels.
-  double memory;
-};
-constexpr std::array<Format, 2> formats = {{{".obj", &readObj, 30}, {".ply", &readPly, 60}}};
+/// "OBJ or PLY": something of all formats.
+std::string anyFormat(std::string_view MeshFormat::*what) {
+  std::vector<std::string_view> texts;
+  for (const MeshFormat* format : meshFormats()) texts.push_back(format->*what);
+  return fmt::format("{}", fmt::join(texts, " or "));
+}
 
 constexpr std::string_view compressed = "is compressed ({}): unpack it";
 constexpr std::string_view otherText = "is text in {}: save it as UTF-8 or ASCII";
-constexpr std::string_view otherFormat = "is {}: export the mesh as OBJ or PLY";
+constexpr std::string_view otherFormat = "is {}: export the mesh as ";
 
 /// What the first bytes of a file tell that is no mesh of these formats.
 struct Signature {
@@ -51,20 +47,24 @@ constexpr std::array<Signature, 12> signatures = {{{"\x1f\x8b"sv, compressed, "g
                                                    {"solid "sv, otherFormat, "an STL"},
                                                    {"<?xml"sv, otherFormat, "XML"}}};
 
-void requireMesh(const std::string& source, std::string_view bytes, const Format& format) {
+void requireMesh(const std::string& source, std::string_view bytes, const MeshFormat& format) {
+  for (const MeshFormat* other : meshFormats()) {
+    if (other->begins == nullptr || !other->begins(bytes)) continue;
+    if (other == &format) return;
+    throw InputError(fmt::format("{}: is a {}: a name that ends in {} expected", source,
+                                 other->name, other->ending));
+  }
   const auto refuse = [&](std::string_view sentence, std::string_view kind) {
-    throw InputError(source + ": " + fmt::format(fmt::runtime(sentence), kind));
+    std::string text = source + ": " + fmt::format(fmt::runtime(sentence), kind);
+    if (sentence == otherFormat) text += anyFormat(&MeshFormat::name);
+    throw InputError(text);
   };
   for (const auto& [begin, sentence, kind] : signatures) {
     if (bytes.starts_with(begin)) refuse(sentence, kind);
   }
-  const bool isPly = bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
-  if (isPly && format.ending != ".ply") {
-    throw InputError(source + ": is a PLY: a name that ends in .ply expected");
-  }
   // Without a byte order mark: of the first two letters every other byte is 0.
   const std::string_view head = bytes.substr(0, 4);
-  if (!isPly && std::count(head.begin(), head.end(), '\0') == 2) refuse(otherText, "UTF-16");
+  if (std::count(head.begin(), head.end(), '\0') == 2) refuse(otherText, "UTF-16");
 }
 
 }  // namespace
@@ -74,17 +74,20 @@ Cage readMeshFile(const std::filesystem::path& path, SubdivisionScheme scheme) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  const auto* const format = std::find_if(formats.begin(), formats.end(),
-                                          [&](const Format& one) { return one.ending == ending; });
-  if (format == formats.end()) {
-    throw InputError(fmt::format("{}: a mesh file that ends in .obj or .ply expected", source));
+  const auto formats = meshFormats();
+  const auto found = std::find_if(formats.begin(), formats.end(),
+                                  [&](const MeshFormat* one) { return one->ending == ending; });
+  if (found == formats.end()) {
+    throw InputError(fmt::format("{}: a mesh file that ends in {} expected", source,
+                                 anyFormat(&MeshFormat::ending)));
   }
+  const MeshFormat& format = **found;
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
-  if (!error) requireMemory(format->memory * static_cast<double>(size), source);
+  if (!error) requireMemory(format.memory * static_cast<double>(size), source);
   const std::string bytes = readFile(path);
-  requireMesh(source, bytes, *format);
-  return toCage(format->read(source, bytes), scheme);
+  requireMesh(source, bytes, format);
+  return toCage(format.read(source, bytes), scheme);
 }
 
 }  // namespace gnomon::surface

@@ -6,12 +6,11 @@
 
 namespace gnomon::surface {
 
-/// Reads a mesh file as a control cage: by readObj or readPly, chosen by the name's ending, `.obj`
-/// or
-/// `.ply` in either case, then toCage: one rule for joining, parts and checks, whatever the format.
+/// Reads a mesh file as a control cage: by the format of the name's ending, `.obj` or `.ply` in
+/// either case, then toCage: one rule for joining, parts and checks, whatever the format.
 /// @throws InputError for another ending, for a file that holds something else than its name says
 ///   (compressed, UTF-16, another format of meshes), and as they do
-Cage readMeshFile(const std::filesystem::path& path,
+Cage readMeshFile(const std::filesystem::path& file,
                   SubdivisionScheme scheme = SubdivisionScheme::catmullClark);
 
 }  // namespace gnomon::surface

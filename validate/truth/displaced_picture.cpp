@@ -4,8 +4,7 @@
 #include <array>
 
 #include "common/parallel.h"
-#include "common/progress.h"
-#include "truth/flush_denormals.h"
+#include "truth/embree.h"
 
 namespace gnomon::truth {
 

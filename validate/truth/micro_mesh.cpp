@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <string>
 #include <utility>
 
 #include "common/error.h"
@@ -15,7 +14,6 @@
 #include "common/system/memory.h"
 #include "displaced/displaced_mesh.h"
 #include "surface/closed_surface.h"
-#include "surface/face_grids.h"
 
 namespace gnomon::truth {
 
@@ -215,7 +213,7 @@ MicroLines placeMicroLines(const surface::LimitSurface& surface, Vec2 texelsPerU
 
 namespace {
 
-// Measured on Embree 3.13: what its grid hierarchy takes beside the vertices.
+// Measured on Embree 3.13: what its grid hierarchy takes apart from the vertices.
 constexpr double hierarchyBytesPerQuad = 18;
 constexpr double bytesPerVertex = 12;
 

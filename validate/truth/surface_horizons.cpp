@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "common/parallel.h"
-#include "common/progress.h"
 #include "common/system/memory.h"
 #include "surface/texel_frame.h"
-#include "truth/flush_denormals.h"
+#include "truth/embree.h"
 
 namespace gnomon::truth {
 namespace {

@@ -1,10 +1,7 @@
 #include "truth/surface_paths.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -12,7 +9,7 @@
 #include "common/parallel.h"
 #include "surface/face_grids.h"
 #include "surface/texel_frame.h"
-#include "truth/flush_denormals.h"
+#include "truth/embree.h"
 
 namespace gnomon::truth {
 

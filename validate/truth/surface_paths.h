@@ -13,7 +13,6 @@
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 #include "truth/micro_scene.h"
-#include "truth/sample_place.h"
 #include "truth/shadow_tracer.h"
 
 namespace gnomon::truth {

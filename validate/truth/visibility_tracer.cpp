@@ -6,13 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <span>
 
 #include "common/error.h"
-#include "common/mask.h"
 #include "common/parallel.h"
-#include "common/progress.h"
-#include "truth/flush_denormals.h"
+#include "truth/embree.h"
 
 namespace gnomon::truth {
 

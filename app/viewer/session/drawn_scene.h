@@ -11,7 +11,7 @@
 #include "render/bakes/bake_pass.h"
 #include "render/passes/drawing.h"
 #include "render/passes/method_pass.h"
-#include "study/run/driver_faults.h"
+#include "study/run/method_trial.h"
 #include "viewer/session/scene_data.h"
 
 namespace gnomon::app {

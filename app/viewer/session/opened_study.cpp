@@ -6,10 +6,10 @@
 #include "common/lists.h"
 #include "render/method.h"
 #include "render/shader_files.h"
-#include "study/spec/method_replacement.h"
+#include "study/spec/method_changes.h"
 #include "study/spec/resolved_study.h"
 #include "study/spec/study_file.h"
-#include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::app {
 namespace {

@@ -27,7 +27,7 @@ const PartialTruth* truthOf(const KnownTruth& known, study::MeshChoice mesh, con
                                                                           : nullptr;
 }
 
-/// A method's answers where both have one, to be held against each other: neither has one where
+/// A method's answers where both have one, to be compared: neither has one where
 /// the other lacks it. Where a truth has none yet, it counts as agreement.
 template <typename Map>
 void makeComparable(Map& first, Map& second, bool agreeWhereUnknown) {

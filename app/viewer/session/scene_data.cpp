@@ -8,9 +8,8 @@
 
 #include "common/error.h"
 #include "horizon/angle_table.h"
-#include "horizon/texel_scale.h"
 #include "study/run/scene/run_keys.h"
-#include "study/spec/method_replacement.h"
+#include "study/spec/method_changes.h"
 
 namespace gnomon::app {
 namespace {

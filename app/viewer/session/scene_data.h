@@ -85,7 +85,7 @@ struct SceneData {
   std::shared_ptr<const surface::LimitSurface> surface;
   std::shared_ptr<const surface::TextureLayout> layout;
   std::shared_ptr<const relief::HeightField> heights;
-  double texelsPerHeight = 1;  ///< of the frame of angles (texel_scale.h)
+  double texelsPerHeight = 1;  ///< of the frame of angles (angle_table.h)
   std::map<study::MeshChoice, std::shared_ptr<const MeshData>> meshes;
   std::shared_ptr<const PrincipalLines> lines;                       ///< null unless asked for
   std::map<std::string, std::shared_ptr<const MethodData>> methods;  ///< those shown, by label

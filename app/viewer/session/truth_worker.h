@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/camera.h"
-#include "image/image.h"
+#include "image/images.h"
 #include "model/pane_figures.h"
 #include "model/progressive_order.h"
 #include "surface/sample_grid.h"

@@ -14,9 +14,8 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "common/files/part_file.h"
-#include "common/system/child_process.h"
-#include "common/text/words.h"
+#include "common/system/process.h"
+#include "common/text.h"
 #include "image/images.h"
 #include "model/light_angles.h"
 #include "render/gl_context.h"

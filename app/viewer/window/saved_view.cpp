@@ -12,7 +12,7 @@
 #include "image/mask_picture.h"
 #include "model/saved_study.h"
 #include "report/json/json_values.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 
 namespace gnomon::app {
 namespace fs = std::filesystem;
@@ -30,7 +30,7 @@ fs::path freePath(const ViewSession& session, const std::string& stem, const std
   if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
   for (int number = 1; number < mostViews; ++number) {
     fs::path path = folder / fmt::format("{}-{}{}", stem, number, ending);
-    if (!pathExists(path)) return path;
+    if (!isThere(path)) return path;
   }
   throw InputError(fmt::format("{}: no free name for another view", folder.string()));
 }

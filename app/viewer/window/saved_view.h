@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "image/image.h"
+#include "image/images.h"
 #include "viewer/session/view_session.h"
 
 namespace gnomon::app {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "image/image.h"
+#include "image/images.h"
 #include "viewer/panes/gui.h"
 #include "viewer/panes/pane_labels.h"
 #include "viewer/panes/section_panel.h"

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "common/error.h"
-#include "common/text/words.h"
+#include "common/text.h"
 
 namespace gnomon::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "compare/share_metrics.h"
+#include "compare/answer_metrics.h"
 
 namespace gnomon::app {
 namespace {

@@ -122,12 +122,12 @@ TEST_F(InputFile, ReadsEverySizeAroundItsSteps) {
 }
 
 TEST_F(InputFile, TellsWhetherSomethingIsThere) {
-  EXPECT_TRUE(pathExists(folder()));
-  EXPECT_FALSE(pathExists(file("none")));
-  EXPECT_FALSE(pathExists(file("none/below")));
+  EXPECT_TRUE(isThere(folder()));
+  EXPECT_FALSE(isThere(file("none")));
+  EXPECT_FALSE(isThere(file("none/below")));
   std::ofstream(file("plain")) << "text";
-  EXPECT_FALSE(pathExists(file("plain/below")));
-  EXPECT_THAT(messageOf<InputError>([&] { (void)pathExists(file(std::string(300, 'n'))); }),
+  EXPECT_FALSE(isThere(file("plain/below")));
+  EXPECT_THAT(messageOf<InputError>([&] { (void)isThere(file(std::string(300, 'n'))); }),
               EndsWith("cannot be read: File name too long"));
 }
 

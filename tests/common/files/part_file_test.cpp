@@ -1,4 +1,4 @@
-#include "common/files/part_file.h"
+#include "common/files/atomic_file.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "compare/scenes/scene_table.h"
+#include "compare/scenes/comparisons.h"
 
 #include <gtest/gtest.h>
 

@@ -154,9 +154,9 @@ TEST(TexelCount, IsTheMeanOfAllPixelsThatHaveASample) {
   EXPECT_EQ(meanOfSamples(texels), sum / count);
 }
 
-TEST(HeldTargets, AreOneOfEachKindAndOfTheLastSize) {
+TEST(SharedTargets, AreOneOfEachKindAndOfTheLastSize) {
   const GlContext gl;
-  HeldTargets targets;
+  SharedTargets targets;
   const GLuint bits = targets.get(8, 4, {GL_R8UI}).framebuffer();
   EXPECT_EQ(targets.get(8, 4, {GL_R8UI}).framebuffer(), bits);
   EXPECT_NE(targets.get(8, 4, {GL_R32F}).framebuffer(), bits);
@@ -166,17 +166,17 @@ TEST(HeldTargets, AreOneOfEachKindAndOfTheLastSize) {
 }
 
 /// What one method left in them, or one light, does not show through under the next.
-TEST(HeldTargets, LeaveNothingForTheNextAnswer) {
+TEST(SharedTargets, LeaveNothingForTheNextAnswer) {
   const GlContext gl;
   const RenderScene scene = stepScene();
   const relief::Wrap wrap = scene.relief.field.wrap();
-  const auto targets = std::make_shared<HeldTargets>();
+  const auto targets = std::make_shared<SharedTargets>();
   // From either side, so that a sample of one picture is background in the next.
   const auto viewFrom = [&](double x) {
     return cameraView(Camera{{x, 0, 60}, {0.6 * x, 0, 0}, {0, 1, 0}, 0.5, 48, 40}, scene.mesh);
   };
   const auto answersOf = [&](const char* test, const RenderView& view,
-                             const std::shared_ptr<HeldTargets>& held) {
+                             const std::shared_ptr<SharedTargets>& held) {
     const Method method = methodOfText("", std::string("bool isShadowed(Pixel pixel, LocalLight "
                                                        "light) { return ") +
                                                test + "; }");

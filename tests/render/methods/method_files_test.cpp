@@ -8,10 +8,10 @@
 
 #include "common/error.h"
 #include "image/images.h"
-#include "render/glsl_text.h"
 #include "render/method_text.h"
 #include "render/passes/texel_counter.h"
 #include "render/render_scene.h"
+#include "render/shader_files.h"
 #include "support/temporary_folder.h"
 #include "truth/truth_scenes.h"
 

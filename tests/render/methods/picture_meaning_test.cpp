@@ -1,7 +1,7 @@
 // What a file says of its pixels, for every use of a picture: one file or more for each cell of
 // image::meaningTable.
 
-#include "image/picture_meaning.h"
+#include "image/grey_picture.h"
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/core.h>
@@ -18,7 +18,7 @@
 #include "common/files/atomic_file.h"
 #include "image/images.h"
 #include "image/mask_picture.h"
-#include "relief/height_image.h"
+#include "relief/height_field.h"
 #include "render/gl_context.h"
 #include "render/passes/method_texture.h"
 #include "support/temporary_folder.h"

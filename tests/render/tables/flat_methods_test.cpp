@@ -5,8 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "horizon/reference/height_profile.h"
-#include "horizon/reference/ray_crossings.h"
+#include "horizon/reference.h"
 #include "relief/patterns.h"
 #include "render/render_scene.h"
 #include "surface/curvature.h"

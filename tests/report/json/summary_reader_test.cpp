@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/error.h"
-#include "compare/share_metrics.h"
+#include "compare/answer_metrics.h"
 #include "report/sample_record.h"
 #include "support/error_messages.h"
 

@@ -1,4 +1,4 @@
-#include "study/judge/baseline.h"
+#include "study/judge/gates.h"
 
 #include <algorithm>
 

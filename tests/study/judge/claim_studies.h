@@ -9,7 +9,7 @@
 
 #include "study/judge/claims.h"
 #include "study/judge/distinguish.h"
-#include "study/record/result_metrics.h"
+#include "study/record/cases.h"
 
 namespace gnomon::test {
 

@@ -4,12 +4,11 @@
 #include <limits>
 
 #include "common/error.h"
+#include "compare/answer_metrics.h"
 #include "compare/boundaries.h"
-#include "compare/share_metrics.h"
 #include "study/record/cases.h"
 #include "study/record/gate.h"
 #include "study/record/record.h"
-#include "study/record/result_metrics.h"
 
 namespace gnomon::study {
 namespace {

@@ -77,8 +77,7 @@ class EqualAnswers : public TemporaryFolder {
     }
     study.close();
     cache::Cache none;
-    SceneStore store;
-    return runStudy(readStudy(file("s.toml"), {}), gl_, files, none, store);
+    return runStudy(readStudy(file("s.toml"), {}), gl_, files, none);
   }
 
   /// All that is said of a method.
@@ -158,9 +157,8 @@ class QuietFrames : public TemporaryFolder {
     options.overrides = {std::string("study.frames=") + frames};
     const render::GlContext gl;
     cache::Cache none;
-    SceneStore store;
     Asked writer;
-    (void)runStudy(readStudy(file("s.toml"), options), gl, writer, none, store);
+    (void)runStudy(readStudy(file("s.toml"), options), gl, writer, none);
     return writer.all;
   }
 };
@@ -219,8 +217,7 @@ class OwnMethod : public TemporaryFolder {
     options.overrides = overrides;
     const StudySpec study = readStudy(file("own.toml"), options);
     cache::Cache cache(file("kept"), 100'000'000, {}, {});
-    SceneStore store;
-    return runStudyFigures(study, gl_, cache, store);
+    return runStudyFigures(study, gl_, cache);
   }
   static std::vector<std::string> stages(const StudyRecord& record) {
     std::vector<std::string> names;

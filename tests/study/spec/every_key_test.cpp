@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
-#include "common/text/words.h"
+#include "common/text.h"
 #include "study/spec/study_file_fixture.h"
 #include "study/spec/sweep/sweep.h"
-#include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 namespace {

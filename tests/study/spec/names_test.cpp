@@ -8,11 +8,11 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "study/spec/method_replacement.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/method_changes.h"
+#include "study/spec/sections/study_files.h"
 #include "study/spec/study_file.h"
 #include "study/spec/study_sections.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 #include "support/error_messages.h"
 
 namespace gnomon::study {
@@ -54,30 +54,30 @@ TEST(FileNames, AreShortEnoughForAFileSystem) {
 TEST(PathText, IsThePathItselfWhereTomlCanHoldIt) {
   for (const char* path :
        {"a.png", "../heights/a b.png", "/tmp/ä/日本.obj", "100%.png", "a:b", ""}) {
-    EXPECT_EQ(pathText(path), path);
-    EXPECT_EQ(pathOf(path), path);
+    EXPECT_EQ(fileText(path), path);
+    EXPECT_EQ(fileOf(path), path);
   }
 }
 
 TEST(PathText, EncodesBytesThatAreNoText) {
-  EXPECT_EQ(pathText("../caf\xE9/a b.png"), "file:../caf%E9/a%20b.png");
-  EXPECT_EQ(pathText("file:x"), "file:file%3Ax");
+  EXPECT_EQ(fileText("../caf\xE9/a b.png"), "file:../caf%E9/a%20b.png");
+  EXPECT_EQ(fileText("file:x"), "file:file%3Ax");
   EXPECT_EQ(stemText("../caf\xE9.glsl"), "caf%E9");
   EXPECT_EQ(stemText("../file:a b.glsl"), "file:a b");
 }
 
 TEST(PathText, WhatIsNoEncodingStaysAsItIs) {
-  EXPECT_EQ(pathOf("file:a%"), "a%");
-  EXPECT_EQ(pathOf("file:a%4"), "a%4");
-  EXPECT_EQ(pathOf("file:%zz%+1%41"), "%zz%+1A");
+  EXPECT_EQ(fileOf("file:a%"), "a%");
+  EXPECT_EQ(fileOf("file:a%4"), "a%4");
+  EXPECT_EQ(fileOf("file:%zz%+1%41"), "%zz%+1A");
 }
 
 TEST(PathText, ReadsBackToTheByteWhateverTheNameHolds) {
   for (int first = 1; first < 256; ++first) {
     for (int second = 1; second < 256; ++second) {
       const std::string name{static_cast<char>(first), static_cast<char>(second)};
-      const std::string text = pathText(name);
-      ASSERT_EQ(pathOf(text).native(), name);
+      const std::string text = fileText(name);
+      ASSERT_EQ(fileOf(text).native(), name);
       ASSERT_NO_THROW((void)tomlText(toml::table{{"file", text}}));
     }
   }
@@ -85,14 +85,14 @@ TEST(PathText, ReadsBackToTheByteWhateverTheNameHolds) {
 
 TEST(PathText, MovesPathsThatAreNoText) {
   toml::table table{{"image", "file:a%E9.png"}};
-  movePath(table, "image", "/studies", "/studies/out/x");
+  moveFile(table, "image", "/studies", "/studies/out/x");
   EXPECT_EQ(table["image"].value<std::string>(), "file:../../a%E9.png");
-  movePath(table, "image", "/studies/out/x", "/studies/caf\xE9");
+  moveFile(table, "image", "/studies/out/x", "/studies/caf\xE9");
   EXPECT_EQ(table["image"].value<std::string>(), "file:../a%E9.png");
-  movePath(table, "image", "/studies/caf\xE9", "/other");
+  moveFile(table, "image", "/studies/caf\xE9", "/other");
   EXPECT_EQ(table["image"].value<std::string>(), "file:../studies/a%E9.png");
   table = toml::table{{"image", "file:/a%E9.png"}};
-  movePath(table, "image", "/studies", "/other");
+  moveFile(table, "image", "/studies", "/other");
   EXPECT_EQ(table["image"].value<std::string>(), "file:/a%E9.png") << "absolute";
 }
 

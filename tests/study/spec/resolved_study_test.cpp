@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "common/files/atomic_file.h"
-#include "common/text/sha256.h"
+#include "common/files/input_file.h"
 #include "study/spec/sweep/sweep.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 #include "support/error_messages.h"
 #include "support/same_study.h"
 #include "support/scene_files.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "image/image.h"
+#include "image/images.h"
 #include "study/spec/resolved_study.h"
 #include "study/spec/study_file.h"
 #include "study/spec/study_file_fixture.h"

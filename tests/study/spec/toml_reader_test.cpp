@@ -1,4 +1,4 @@
-#include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml_reader.h"
 
 #include <fmt/core.h>
 

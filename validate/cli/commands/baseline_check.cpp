@@ -62,7 +62,7 @@ fs::path pictureFolder(const fs::path& folder, const std::string& step) {
 }
 
 study::Baseline readReferences(const fs::path& file, const study::StudyPlan& plan) {
-  if (!pathExists(file)) {
+  if (!isThere(file)) {
     throw InputError(fmt::format(
         "{}: missing, the references of {} expected; --update-baseline --reason TEXT writes them",
         file.string(), plan.name));
@@ -89,7 +89,7 @@ void judgeReferences(const fs::path& file, const study::Baseline& baseline,
 }
 
 std::optional<study::Baseline> readFormerReferences(const fs::path& file) {
-  return pathExists(file) ? std::optional(report::readBaseline(file)) : std::nullopt;
+  return isThere(file) ? std::optional(report::readBaseline(file)) : std::nullopt;
 }
 
 bool updateBaseline(const fs::path& file, const study::StudyPlan& plan, const std::string& reason,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/output.h"
-#include "study/judge/baseline.h"
+#include "study/judge/gates.h"
 #include "study/record/cases.h"
 #include "study/spec/sweep/sweep.h"
 

@@ -12,14 +12,14 @@
 #include "cli/output.h"
 #include "common/files/atomic_file.h"
 #include "common/lists.h"
-#include "compare/mask_metrics.h"
+#include "compare/answer_metrics.h"
 #include "compare/metric.h"
 #include "export/export_json.h"
 #include "image/images.h"
 #include "image/mask_picture.h"
 #include "report/json/mask_comparison.h"
 #include "study/judge/gates.h"
-#include "study/spec/mask_files.h"
+#include "study/spec/sections/method_section.h"
 
 namespace gnomon::cli {
 namespace fs = std::filesystem;

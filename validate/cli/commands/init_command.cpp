@@ -15,7 +15,7 @@
 
 #include "cli/output.h"
 #include "common/files/atomic_file.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "render/shader_files.h"
 
 namespace gnomon::cli {

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/shards/shard.h"
+#include "cli/commands/shards.h"
 #include "common/error.h"
 #include "report/tables/latex_table.h"
 #include "study/run/scene/environment.h"
@@ -88,5 +87,17 @@ void requirePaperMethods(const report::PaperOptions& options,
 /// @throws UsageError for a chosen method that none of them is
 void requirePaperMethods(const report::PaperOptions& options,
                          const std::vector<std::string>& measured);
+
+/// Traces the truth of the studies, without any method, and writes it into `out/NAME/truth`; see
+/// `writeTruth`. The file that describes the rest is written last and removed first: where it is,
+/// the folder is whole.
+ExitStatus traceStudies(const RunRequest& request);
+
+/// Writes into `out/NAME/export` what another renderer needs to answer at the studies' samples:
+/// the displaced mesh, the base mesh, the height map, the tables, the sample maps, truths and
+/// regions of interest, and last `export.json`, which describes them.
+/// @param subdivisions  pieces of every face's side in the displaced mesh; `subdivisionsForTexels`
+///   where unset
+ExitStatus exportStudies(const RunRequest& request, std::optional<int> subdivisions);
 
 }  // namespace gnomon::cli

@@ -9,7 +9,7 @@
 
 #include "cli/commands/run_command.h"
 #include "cli/output.h"
-#include "cli/run_folders.h"
+#include "cli/study_plans.h"
 #include "common/files/atomic_file.h"
 #include "compare/scenes/resampled_mean.h"
 #include "report/json/results_json.h"

@@ -2,23 +2,211 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <optional>
+#include <random>
+#include <regex>
 #include <system_error>
+#include <vector>
 
 #include "common/error.h"
 #include "common/files/input_file.h"
-#include "common/files/part_file.h"
+#include "common/system/process.h"
 
 namespace gnomon {
-
 namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void failWith(int error, const char* what, const fs::path& path) {
+  throw fs::filesystem_error(what, path, std::error_code(error, std::generic_category()));
+}
+
+/// Of the kernel that runs, the same in all its containers; of the host's name where it is not
+/// told.
+std::string readMachine() {
+  std::string id;
+  std::ifstream("/proc/sys/kernel/random/boot_id") >> id;
+  constexpr std::size_t digits = 8;
+  if (id.find_first_not_of("0123456789abcdef") == digits) return id.substr(0, digits);
+  char host[256] = {};
+  ::gethostname(host, sizeof host - 1);
+  return fmt::format("{:08x}", std::hash<std::string>{}(host)&0xffffffffU);
+}
+
+const std::string& machine() {
+  static const std::string id = readMachine();
+  return id;
+}
+
+std::string newName(const std::string& extension) {
+  std::random_device random;
+  constexpr std::size_t longest = 16;  // of those by which image writers choose a format
+  return fmt::format(".gnomon-{}-{}-{:08x}{:08x}.part{}", machine(), ::getpid(), random(), random(),
+                     extension.size() <= longest ? extension : "");
+}
+
+bool isSameFile(int descriptor, const fs::path& path) {
+  struct stat open {};
+  struct stat named {};
+  return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &named) == 0 &&
+         open.st_ino == named.st_ino && open.st_dev == named.st_dev;
+}
+
+bool lockNow(int descriptor) {
+  return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+}
+
+/// The machine that a part file's name tells; empty for any other file.
+std::string machineOf(const std::string& name) {
+  if (!name.starts_with(".gnomon-")) return "";
+  static const std::regex pattern(R"(\.gnomon-([0-9a-f]{8})-[0-9]+-[0-9a-f]{16}\.part(\..*)?)");
+  std::smatch match;
+  return std::regex_match(name, match, pattern) ? match[1].str() : "";
+}
+
+bool isOld(const struct stat& file) {
+  constexpr auto hour = std::chrono::hours(1);
+  const auto written = std::chrono::system_clock::from_time_t(file.st_mtime);
+  return std::chrono::system_clock::now() - written > hour;
+}
+
+void removeLeftover(const fs::path& path, bool isOfHere) {
+  constexpr int flags = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  int file = ::open(path.c_str(), O_RDWR | flags);
+  if (file < 0 && errno == EISDIR) file = ::open(path.c_str(), O_RDONLY | flags);
+  if (file < 0) return;
+  struct stat state {};
+  const bool isOurs =
+      ::fstat(file, &state) == 0 && (S_ISREG(state.st_mode) || S_ISDIR(state.st_mode));
+  std::error_code ignored;
+  if (isOurs && lockNow(file) && (isOfHere || isOld(state))) fs::remove_all(path, ignored);
+  ::close(file);
+}
+
+}  // namespace
+
+PartFile::PartFile(const fs::path& folder, const std::string& extension) {
+  // Another process may take a file for a leftover between its creation and its lock: then it is
+  // gone or locked, and the next one is tried.
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    const fs::path path = folder / newName(extension);
+    int error = 0;
+    changeUnfinished([&](Unfinished& unfinished) {
+      file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      error = errno;
+      if (file_ >= 0) unfinished.files.insert(path);
+    });
+    if (file_ < 0 && error == EEXIST) continue;
+    if (file_ < 0) failWith(error, "cannot be created", path);
+    path_ = path;
+    const bool isLocked = lockNow(file_);
+    const bool canLock = isLocked || errno == EWOULDBLOCK;
+    if (!canLock || (isLocked && isSameFile(file_, path))) return;
+    ::close(file_);
+    changeUnfinished([&](Unfinished& unfinished) { unfinished.files.erase(path); });
+    path_.clear();
+  }
+  failWith(EBUSY, "cannot be created", folder);
+}
+
+PartFile::~PartFile() {
+  if (!path_.empty()) {
+    changeUnfinished([&](Unfinished& unfinished) {
+      ::unlink(path_.c_str());
+      unfinished.files.erase(path_);
+    });
+  }
+  ::close(file_);
+}
+
+void PartFile::nameIt(const fs::path& name) {
+  changeUnfinished([&](Unfinished& unfinished) {
+    fs::rename(path_, name);
+    unfinished.files.erase(path_);
+  });
+  path_.clear();
+}
+
+PartFolder::PartFolder(const fs::path& beside) {
+  const fs::path above = beside.has_parent_path() ? beside.parent_path() : fs::path(".");
+  try {
+    fs::create_directories(above);
+    removeLeftovers(above);
+    // As of a file, another process may take it for a leftover before it is locked.
+    while (true) {
+      const fs::path path = above / newName("");
+      changeUnfinished([&](Unfinished& unfinished) {
+        fs::create_directory(path);
+        unfinished.files.insert(path);
+      });
+      folder_ = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      const bool isLocked = folder_ >= 0 && lockNow(folder_);
+      const bool canLock = isLocked || errno == EWOULDBLOCK || errno == ENOENT;
+      if (!canLock || (isLocked && isSameFile(folder_, path))) {
+        path_ = path;
+        return;
+      }
+      if (folder_ >= 0) ::close(folder_);
+      changeUnfinished([&](Unfinished& unfinished) { unfinished.files.erase(path); });
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(
+        fmt::format("{}: cannot create the folder: {}", beside.string(), error.code().message()));
+  }
+}
+
+PartFolder::~PartFolder() {
+  if (!path_.empty()) {
+    changeUnfinished([&](Unfinished& unfinished) {
+      std::error_code ignored;
+      fs::remove_all(path_, ignored);
+      unfinished.files.erase(path_);
+    });
+  }
+  if (folder_ >= 0) ::close(folder_);
+}
+
+void PartFolder::nameIt(const fs::path& name) {
+  const fs::path old = path_.parent_path() / newName("");
+  changeUnfinished([&](Unfinished& unfinished) {
+    // Another process may give a folder of its own that name in between.
+    while (true) {
+      std::error_code failure;
+      fs::rename(name, old, failure);
+      fs::rename(path_, name, failure);
+      std::error_code ignored;
+      fs::remove_all(old, ignored);
+      if (!failure) break;
+      if (failure != std::errc::directory_not_empty && failure != std::errc::file_exists) {
+        throw fs::filesystem_error("rename", name, failure);
+      }
+    }
+    unfinished.files.erase(path_);
+  });
+  path_.clear();
+}
+
+void removeLeftovers(const fs::path& folder) {
+  std::error_code failure;
+  std::vector<fs::path> found;
+  for (fs::directory_iterator it(folder, failure), end; !failure && it != end;
+       it.increment(failure)) {
+    if (!machineOf(it->path().filename().string()).empty()) found.push_back(it->path());
+  }
+  for (const fs::path& path : found) {
+    removeLeftover(path, machineOf(path.filename().string()) == machine());
+  }
+}
+
 namespace {
 
 InputError cannotBeWritten(const fs::path& path, const std::string& reason) {
@@ -152,7 +340,6 @@ std::string readFile(const fs::path& path) {
   return readBytes(path);
 }
 
-namespace fs = std::filesystem;
 namespace {
 
 void require(bool isDone, const fs::path& path) {

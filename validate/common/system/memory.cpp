@@ -116,8 +116,8 @@ std::uint64_t availableInGroup(const fs::path& group, const Hierarchy& files) {
   for (const char* name : files.limits) limit = std::min(limit, numberIn(group / name));
   const std::uint64_t usage = numberIn(group / files.usage);
   if (limit == noLimit || usage == noLimit) return noLimit;
-  const std::uint64_t held = usage - std::min(usage, keyIn(counts, files.cachedKey, 0));
-  return limit - std::min(limit, held);
+  const std::uint64_t used = usage - std::min(usage, keyIn(counts, files.cachedKey, 0));
+  return limit - std::min(limit, used);
 }
 
 /// The least of a group and all above it, up to the hierarchy's root.

@@ -36,7 +36,7 @@ fs::path ownFolder() {
   return target.parent_path();
 }
 
-std::optional<fs::path> installedPath(const fs::path& relative) {
+std::optional<fs::path> installedFile(const fs::path& relative) {
   fs::path folder = ownFolder();
   while (true) {
     std::error_code failure;
@@ -53,7 +53,7 @@ fs::path ownProgram() {
   std::error_code failure;
   fs::path built = ownFolder() / "gnomon";
   if (fs::is_regular_file(built, failure)) return built;
-  return installedPath("bin/gnomon").value_or(built);
+  return installedFile("bin/gnomon").value_or(built);
 }
 
 }  // namespace gnomon

@@ -19,7 +19,7 @@ std::filesystem::path ownFolder();
 /// those above it that holds it, links resolved. So PREFIX/bin/PROGRAM and PREFIX/lib/LIBRARY find
 /// PREFIX/share/…, wherever PREFIX is moved, and programs of a build find the build's own share/….
 /// None where no folder holds it.
-std::optional<std::filesystem::path> installedPath(const std::filesystem::path& relative);
+std::optional<std::filesystem::path> installedFile(const std::filesystem::path& relative);
 
 /// The program that answers for this code in a process of its own: the program itself, or the
 /// program `gnomon` that was built or installed with the shared library.

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "common/raw_vector.h"
-#include "horizon/reference/ray_crossings.h"
+#include "horizon/reference.h"
 #include "relief/height_field.h"
 
 namespace gnomon::horizon {

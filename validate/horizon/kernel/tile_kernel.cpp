@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 
 // This file is compiled once for each instruction set that gives other code here; the processor
@@ -56,7 +55,7 @@ HWY_INLINE Floats derivative(const Tile& at, const float* heights, Floats height
 }
 
 /// Vectors of a batch with the slopes that they start from.
-void openTurn(Tile& at, std::size_t firstRow, std::size_t step) {
+void openStep(Tile& at, std::size_t firstRow, std::size_t step) {
   TileScratch& scratch = at.scratch;
   scratch.batchCount = 0;
   for (std::size_t y = firstRow; y < at.rows; y += step) {
@@ -301,7 +300,7 @@ HWY_NOINLINE void offerTaps(Tile& at) {
 
 /// Bakes every `step`-th row from `firstRow` on. What won `rowsBelow` them is looked at first.
 void bakeRows(Tile& at, std::size_t firstRow, std::size_t step, std::size_t rowsBelow) {
-  openTurn(at, firstRow, step);
+  openStep(at, firstRow, step);
   takeForeseen(at, rowsBelow);
   sweep(at);
   takePeaks(at);

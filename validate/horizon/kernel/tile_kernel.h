@@ -2,7 +2,6 @@
 
 #include <cstddef>
 
-#include "horizon/kernel/azimuth_plan.h"
 #include "horizon/kernel/horizon_tiles.h"
 #include "horizon/kernel/padded_map.h"
 

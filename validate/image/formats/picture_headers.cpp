@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <fstream>
 #include <set>
 #include <string>
 
-#include "image/image_reader.h"
+#include "image/image_module.h"
 
 namespace gnomon::image {
 
@@ -20,7 +19,7 @@ void requireSoundBmpHeader(const std::filesystem::path& path) {
   std::array<std::uint8_t, 54> start{};
   std::ifstream file(path, std::ios::binary);
   file.read(reinterpret_cast<char*>(start.data()), start.size());
-  const auto held = static_cast<std::size_t>(file.gcount());
+  const auto bytesRead = static_cast<std::size_t>(file.gcount());
   const auto number = [&](std::size_t at, std::size_t size) {
     std::uint32_t value = 0;
     for (std::size_t i = size; i-- > 0;) value = value << 8 | start.at(at + i);
@@ -28,7 +27,7 @@ void requireSoundBmpHeader(const std::filesystem::path& path) {
   };
   const std::uint32_t header = number(fileHeader, 4);
   const bool isCore = header == coreHeader;
-  if (held < fileHeader + coreHeader || (!isCore && header < infoHeader) ||
+  if (bytesRead < fileHeader + coreHeader || (!isCore && header < infoHeader) ||
       header > longestHeader) {
     throw ImageError("its header is no BMP's");
   }

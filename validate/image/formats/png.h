@@ -5,7 +5,7 @@
 #include <string>
 
 #include "image/image_format.h"
-#include "image/image_reader.h"
+#include "image/image_module.h"
 
 namespace gnomon::image {
 
@@ -24,6 +24,6 @@ double mostBytesAByteHolds(ImageFormat format, const std::string& coding);
 /// (OpenImageIO's reader lets libpng do so past its destructors, and print its errors to standard
 /// error.) Palettes become colours, transparent colours alpha, numbers of less than 8 bits 8 bits.
 /// @throws ImageError
-std::unique_ptr<ImageReader> openPng(const std::filesystem::path& path);
+std::unique_ptr<ImageReader> openPng(const std::filesystem::path& file);
 
 }  // namespace gnomon::image

@@ -164,7 +164,7 @@ OIIO::ImageSpec specOf(const ExrDescription& description) {
   // The writer would put in the time: the same numbers are the same bytes.
   spec.attribute("DateTime", "1970:01:01 00:00:00");
   for (const auto& [name, value] : description.attributes) {
-    std::visit([&, &key = name](const auto& held) { spec.attribute(key, held); }, value);
+    std::visit([&, &key = name](const auto& text) { spec.attribute(key, text); }, value);
   }
   return spec;
 }

@@ -103,7 +103,7 @@ struct Layout {
     if (format == SAMPLEFORMAT_IEEEFP || bits > 16) return 1;
     return std::exp2(isWhole() ? bits : bits - 1) - 1;
   }
-  [[nodiscard]] bool canTurnWhite() const { return isWhole() && bits <= 16; }
+  [[nodiscard]] bool canInvertWhite() const { return isWhole() && bits <= 16; }
   [[nodiscard]] bool isWhiteZero() const { return photometric == PHOTOMETRIC_MINISWHITE; }
 
   /// "uint8", "int16", "half", "float" …
@@ -293,10 +293,10 @@ class TiffReader : public ImageReader {
     setChannels();
     facts_.orientation = tiff.number<std::uint16_t>(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
     facts_.unreadNumbers = layout_.unread();
-    facts_.isWhiteZero = layout_.isWhiteZero() && !layout_.canTurnWhite();
+    facts_.isWhiteZero = layout_.isWhiteZero() && !layout_.canInvertWhite();
     facts_.otherPage = otherPage();
     facts_.noData = noData();
-    if (facts_.noData && isTurned(0)) facts_.noData = layout_.largest() - *facts_.noData;
+    if (facts_.noData && isInverted(0)) facts_.noData = layout_.largest() - *facts_.noData;
     facts_.bytesAPixel = layout_.samples * layout_.bits / 8.0;
   }
 
@@ -417,12 +417,12 @@ class TiffReader : public ImageReader {
       return palette_[static_cast<std::size_t>(c)][static_cast<std::size_t>(found)];
     }
     const double largest = layout_.largest();
-    return numberOf(isTurned(c) ? largest - found : found, largest);
+    return numberOf(isInverted(c) ? largest - found : found, largest);
   }
 
   /// Whether white is 0 in the file.
-  [[nodiscard]] bool isTurned(int channel) const {
-    return layout_.isWhiteZero() && layout_.canTurnWhite() && channel < layout_.colours;
+  [[nodiscard]] bool isInverted(int channel) const {
+    return layout_.isWhiteZero() && layout_.canInvertWhite() && channel < layout_.colours;
   }
 
   /// The file of the n-th plane read: one for each, since rows are unpacked in turn.

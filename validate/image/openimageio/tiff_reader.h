@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "image/image_reader.h"
+#include "image/image_module.h"
 
 namespace gnomon::image {
 

@@ -12,7 +12,6 @@
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
 #include "render/passes/drawing.h"
-#include "render/passes/method_program.h"
 #include "render/passes/texel_counter.h"
 
 namespace gnomon::render {
@@ -105,7 +104,7 @@ void requireEnds(const std::string& method, const MethodBake& bake,
       fmt::format("method {}: bake `{}`: its loops turn {} times or more at {} of {} texels, fewer "
                   "expected: is "
                   "one without an end?",
-                  method, bake.name, mostLoopTurns, count, ended.size() / 4));
+                  method, bake.name, mostLoopIterations, count, ended.size() / 4));
 }
 
 /// Values as shares of the range that their codes stand for.

@@ -15,12 +15,12 @@
 
 namespace gnomon::render {
 
-/// What a method's own bakes are made from, beside its tables: no surface, no light, no view.
+/// What a method's own bakes are made from, apart from its tables: no surface, no light, no view.
 struct BakeScene {
   const GpuHeights& heights;
   relief::Wrap wrap;
   relief::HeightSpace heightSpace;
-  double texelsPerHeight;  ///< of the frame of angles (texel_scale.h)
+  double texelsPerHeight;  ///< of the frame of angles (angle_table.h)
 };
 
 /// The functions of a method that bake its own tables, compiled.
@@ -41,7 +41,7 @@ class BakePass {
   /// @param tables  those that the method declares, but for its bakes
   /// @throws InputError where a value is no finite number, a loop does not end, or a bake is larger
   /// than OpenGL takes;
-  ///   MemoryError where it cannot be held
+  ///   MemoryError where it does not fit in memory
   [[nodiscard]] std::vector<StoredBake> bake(const BakeScene& scene, const GpuTables& tables,
                                              const Progress& progress = {}) const;
 

@@ -3,17 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <utility>
 
 #include "render/declaration.h"
 #include "render/gl_context.h"
-#include "render/gl_objects.h"
-#include "render/glsl_text.h"
 
 namespace gnomon::render {
 

@@ -1,6 +1,5 @@
 #include "render/check/known_scene.h"
 
-#include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>
@@ -62,7 +61,7 @@ KnownPoint pointOn(int face, const Vec3& point) {
   known.face = face;
   known.st = own.place(point);
   known.facing = glm::dot(own.outside(), knownLight());
-  known.isHidden = known.isTurned();
+  known.isHidden = known.facesAway();
   for (const Rectangle& other : rectangles()) {
     if (&other != &own && distanceTo(other, point, knownLight())) known.isHidden = true;
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "common/camera.h"
@@ -30,7 +29,7 @@ struct KnownPoint {
   glm::ivec2 texel{0, 0};  ///< of an atlas's sample: x + 8 face, y
   double bumped = 0;       ///< of an atlas's sample: as `facing`, of the normal bent by the relief
 
-  [[nodiscard]] bool isTurned() const { return !(facing > 0); }
+  [[nodiscard]] bool facesAway() const { return !(facing > 0); }
 };
 
 /// A view of the scene with what it shows.

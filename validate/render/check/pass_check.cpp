@@ -366,7 +366,7 @@ bool isHidden(const KnownPoint& point) {
 /// By a depth map from the light. On a side turned from the light, the answer depends on how deep
 /// it lies in the box: not compared.
 std::optional<bool> isHiddenByDepth(const KnownPoint& point) {
-  return point.face >= 0 && point.isTurned() ? std::nullopt : std::optional(point.isHidden);
+  return point.face >= 0 && point.facesAway() ? std::nullopt : std::optional(point.isHidden);
 }
 
 std::string facetFault(const Shaders& shaders) {

@@ -33,7 +33,7 @@ enum class PassKind {
 /// The kind's name in messages: "shadow volumes".
 std::string_view passName(PassKind kind);
 
-/// The kinds that a method's answers are made by, beside the samples of the views.
+/// The kinds that a method's answers are made by, apart from the samples of the views.
 /// @param isSoft  whether any of its lights has a radius
 std::vector<PassKind> passesOf(const Method& method, TableFilter filter, bool isSoft = false);
 

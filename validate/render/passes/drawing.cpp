@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "common/error.h"
 #include "render/gl_context.h"
-#include "render/gl_objects.h"
-#include "render/program.h"
 
 namespace gnomon::render {
 

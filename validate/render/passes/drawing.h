@@ -26,7 +26,7 @@ struct Drawing {
   const GpuHeights& heights;
   relief::Wrap wrap;
   relief::HeightSpace heightSpace;
-  double texelsPerHeight;  ///< of the frame of angles (texel_scale.h)
+  double texelsPerHeight;  ///< of the frame of angles (angle_table.h)
   Light light = {};
   const GpuVolumes* volumes = nullptr;  ///< of a displaced mesh
   const RenderView* texture = nullptr;  ///< the texture's own plane, for methods that draw there

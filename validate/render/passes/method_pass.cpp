@@ -4,72 +4,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
 #include "common/error.h"
 #include "common/system/memory.h"
 #include "render/gl_context.h"
-#include "render/gl_objects.h"
-#include "render/glsl_text.h"
-#include "render/passes/method_program.h"
+#include "render/shader_files.h"
 
 namespace gnomon::render {
 namespace fs = std::filesystem;
 namespace {
-
-/// What mask.frag writes, and where it writes nothing.
-constexpr std::uint8_t testShadowed = 1;
-constexpr std::uint8_t drawnShadowed = 2;
-constexpr std::uint8_t noAnswer = 4;
-constexpr std::uint8_t metOtherChart = 8;
-constexpr int firstFault = 4;  // the first bit of AnswerFault
-
-double share(std::ptrdiff_t some, std::ptrdiff_t all) {
-  return all > 0 ? static_cast<double>(some) / static_cast<double>(all) : 0;
-}
-
-Mask maskOf(const RenderView& view, const std::vector<std::uint8_t>& answers, std::uint8_t bit) {
-  Mask mask{view.width, view.height, std::vector<Shade>(answers.size())};
-  // Without a branch, so that many are done at once.
-  std::transform(answers.begin(), answers.end(), mask.samples.begin(), [bit](std::uint8_t answer) {
-    const Shade shade = (answer & bit) == 0 ? Shade::lit : Shade::shadowed;
-    return answer == noAnswer ? Shade::none : shade;
-  });
-  return mask;
-}
-
-/// A sample's shares are 0 to 1, its texels 0 or more; this is where there is no sample. What is no
-/// answer is less, by its AnswerFault.
-constexpr float noShare = -1;
-
-/// The samples whose value tells faults.
-/// @param faultsOf  of a value; 0 for none
-template <typename Value, typename FaultsOf>
-std::vector<FaultySample> faultySamples(const std::vector<Value>& values,
-                                        const FaultsOf& faultsOf) {
-  std::vector<FaultySample> faulty;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto faults = static_cast<std::uint8_t>(faultsOf(values[i]));
-    if (faults != 0) faulty.push_back({i, faults});
-  }
-  return faulty;
-}
-
-Visibility visibilityOf(const RenderView& view, std::vector<float> shares) {
-  std::replace(shares.begin(), shares.end(), noShare, noSample);
-  return {view.width, view.height, std::move(shares)};
-}
-
-Visibility visibilityOf(const Mask& mask) {
-  Visibility visibility{mask.width, mask.height, std::vector<float>(mask.size(), noSample)};
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (mask.samples[i] == Shade::none) continue;
-    visibility.shares[i] = mask.samples[i] == Shade::lit ? 1.0F : 0.0F;
-  }
-  return visibility;
-}
 
 /// A pass that resolves texels keeps its values in the bits of the angles that it reads; without
 /// any, in floats. Where charts overlap, always in floats: fewer bits do not hold charts' numbers.
@@ -109,7 +54,7 @@ glm::dmat4 mapFromClip(glm::dvec2 size) {
 
 MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wrap wrap,
                        TableFilter filter, const std::map<std::string, double>& values,
-                       SoftAnswer soft, std::shared_ptr<const HeldTargets> targets)
+                       SoftAnswer soft, std::shared_ptr<const SharedTargets> targets)
     : name_(method.name),
       tables_(method.tables),
       bakes_(method.bakes),
@@ -193,10 +138,10 @@ class MethodPass::Frame {
         tables_(tables),
         check_(check),
         isShare_(pass.answersInShares(drawing)),
-        held_(pass.targets_ ? *pass.targets_ : own_),
-        answers_(held_.get(view.width, view.height,
-                           isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F, GL_R8UI}
-                                    : std::vector<GLenum>{GL_R8UI})) {
+        shared_(pass.targets_ ? *pass.targets_ : own_),
+        answers_(shared_.get(view.width, view.height,
+                             isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F, GL_R8UI}
+                                      : std::vector<GLenum>{GL_R8UI})) {
     if (pass.seesLight()) {
       const double side = pass.depthSide();
       requireMemory(side * side * sizeof(GLfloat),
@@ -251,23 +196,19 @@ class MethodPass::Frame {
     drawLightPasses();
     drawView();
   }
+  void drawBy(const FrameDrawer& drawer) const {
+    if (!drawer) return draw();
+    drawer([this] { draw(); });
+  }
 
   [[nodiscard]] MethodAnswers masks() const {
-    const auto bits = answers_.read<std::uint8_t>(0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1);
-    const auto met = std::count_if(bits.begin(), bits.end(), [](std::uint8_t answer) {
-      return (answer & metOtherChart) != 0;
-    });
-    const auto samples = std::count_if(bits.begin(), bits.end(),
-                                       [](std::uint8_t answer) { return answer != noAnswer; });
-    return {maskOf(view_, bits, drawnShadowed), maskOf(view_, bits, testShadowed),
-            share(met, samples),
-            faultySamples(bits, [](std::uint8_t answer) { return answer >> firstFault; })};
+    return answersOf(view_, answers_.read<std::uint8_t>(0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1));
   }
 
   /// What a program counts for every sample's answer, once its passes are drawn; `noShare` where
   /// there is no sample.
   [[nodiscard]] std::vector<float> counted(GLuint program) const {
-    const Target& counts = held_.get(view_.width, view_.height, {GL_R32F});
+    const Target& counts = shared_.get(view_.width, view_.height, {GL_R32F});
     counts.clearDepth();
     clearShares(counts, 1);
     drawAnswers(program, counts);
@@ -275,16 +216,9 @@ class MethodPass::Frame {
   }
 
   [[nodiscard]] VisibilityAnswers shares() const {
-    const auto drawn = answers_.read<float>(0, GL_RED, GL_FLOAT, 1);
-    std::vector<float> test = answers_.read<float>(1, GL_RED, GL_FLOAT, 1);
-    std::vector<FaultySample> faulty = faultySamples(
-        test, [](float value) { return value < noShare ? std::lround(noShare - value) : 0; });
-    for (const FaultySample& sample : faulty) test[sample.sample] = 0;
-    const auto met = answers_.read<std::uint8_t>(2, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1);
-    const auto samples =
-        std::count_if(drawn.begin(), drawn.end(), [](float answer) { return answer != noShare; });
-    return {visibilityOf(view_, drawn), visibilityOf(view_, std::move(test)),
-            share(std::count(met.begin(), met.end(), std::uint8_t{1}), samples), std::move(faulty)};
+    return answersOf(view_, answers_.read<float>(0, GL_RED, GL_FLOAT, 1),
+                     answers_.read<float>(1, GL_RED, GL_FLOAT, 1),
+                     answers_.read<std::uint8_t>(2, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1));
   }
 
  private:
@@ -373,7 +307,7 @@ class MethodPass::Frame {
     throw InputError(
         fmt::format("the loops of its pass `{}` turn {} times or more at {} texels, "
                     "fewer expected",
-                    pass_.own_[place].name, mostLoopTurns, count));
+                    pass_.own_[place].name, mostLoopIterations, count));
   }
 
   void drawOwn(std::size_t place, GLuint program, const std::array<float, 4>& clear) const {
@@ -454,24 +388,10 @@ class MethodPass::Frame {
   std::optional<Target> cameraDepth_;
   std::optional<Target> counts_;
   bool isShare_;
-  HeldTargets own_;  ///< of a pass that holds none
-  const HeldTargets& held_;
+  SharedTargets own_;  ///< of a pass that holds none
+  const SharedTargets& shared_;
   const Target& answers_;
 };
-
-namespace {
-
-/// @param drawer  that of MethodPass::render
-template <typename Frame>
-void drawBy(const FrameDrawer& drawer, const Frame& frame) {
-  if (drawer) {
-    drawer([&] { frame.draw(); });
-  } else {
-    frame.draw();
-  }
-}
-
-}  // namespace
 
 MethodAnswers MethodPass::render(const RenderView& view, const Drawing& drawing,
                                  const GpuTables& tables, const FrameDrawer& drawer) const {
@@ -479,7 +399,7 @@ MethodAnswers MethodPass::render(const RenderView& view, const Drawing& drawing,
   Drawing point = drawing;
   point.light.radius = 0;
   const Frame frame(*this, view, point, tables);
-  drawBy(drawer, frame);
+  frame.drawBy(drawer);
   hasDrawnMask_ = true;
   MethodAnswers answers = frame.masks();
   throwOnGlError("rendering a method's mask");
@@ -489,13 +409,9 @@ MethodAnswers MethodPass::render(const RenderView& view, const Drawing& drawing,
 VisibilityAnswers MethodPass::renderVisibility(const RenderView& view, const Drawing& drawing,
                                                const GpuTables& tables,
                                                const FrameDrawer& drawer) const {
-  if (!answersInShares(drawing)) {
-    MethodAnswers answers = render(view, drawing, tables, drawer);
-    return {visibilityOf(answers.drawn), visibilityOf(answers.test), answers.otherChartShare,
-            std::move(answers.faulty)};
-  }
+  if (!answersInShares(drawing)) return asShares(render(view, drawing, tables, drawer));
   const Frame frame(*this, view, drawing, tables);
-  drawBy(drawer, frame);
+  frame.drawBy(drawer);
   hasDrawnShares_ = true;
   VisibilityAnswers answers = frame.shares();
   throwOnGlError("rendering a method's shares of light");
@@ -513,7 +429,7 @@ std::vector<std::size_t> MethodPass::endlessSamples(const RenderView& view, cons
   throwOnGlError("counting the turns of a method's loops");
   std::vector<std::size_t> endless;
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    if (turns[i] >= static_cast<float>(mostLoopTurns)) endless.push_back(i);
+    if (turns[i] >= static_cast<float>(mostLoopIterations)) endless.push_back(i);
   }
   return endless;
 }

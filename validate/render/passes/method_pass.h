@@ -9,55 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "common/mask.h"
 #include "render/frame_timer.h"
 #include "render/gl_objects.h"
 #include "render/method.h"
 #include "render/passes/drawing.h"
+#include "render/passes/method_answers.h"
 #include "render/passes/method_program.h"
 #include "render/passes/texel_counter.h"
 
 namespace gnomon::render {
-
-/// Numbers of a method that are no answer, one bit each (answers.glsl).
-enum class AnswerFault : std::uint8_t {
-  share = 1,    ///< `visibility` is no number, or not from 0 to 1
-  horizon = 2,  ///< `horizonSlope` is no number
-  normal = 4,   ///< `shadingNormal` is no unit vector
-};
-
-/// A sample at which a method's answer means nothing.
-struct FaultySample {
-  std::size_t sample;
-  std::uint8_t faults;  ///< of `AnswerFault`
-};
-
-/// A method's two answers for every sample of a view.
-struct MethodAnswers {
-  /// The score: dark in the method's picture, by its shadow test or because the normal that the
-  /// picture is shaded with is turned from the light (shading.glsl), as every published method
-  /// multiplies its shadows with diffuse light.
-  Mask drawn;
-  /// The result of `isShadowed` alone.
-  Mask test;
-  /// The share of the samples whose answer met a texel of another chart than their own.
-  double otherChartShare = 0;
-  /// In the order of the samples. A cache keeps none: such answers are refused.
-  std::vector<FaultySample> faulty = {};
-};
-
-/// A method's two answers as shares of the light's disc, 0 to 1 for every sample of a view.
-struct VisibilityAnswers {
-  /// The score. Of a method that answers with a share, the smaller of `test` and the share of the
-  /// disc in front of the plane of the normal that its picture is shaded with (visibility.frag); of
-  /// others `MethodAnswers::drawn`, 1 where it is lit and 0 where not.
-  Visibility drawn;
-  /// What the method's `visibility` or its horizon says; of others `MethodAnswers::test` as 1 and
-  /// 0.
-  Visibility test;
-  double otherChartShare = 0;             ///< as of MethodAnswers
-  std::vector<FaultySample> faulty = {};  ///< as of MethodAnswers
-};
 
 /// What a method's frames cost.
 struct FrameCosts {
@@ -86,7 +46,7 @@ class MethodPass {
   MethodPass(const std::filesystem::path& shaders, const Method& method, relief::Wrap wrap,
              TableFilter filter, const std::map<std::string, double>& values,
              SoftAnswer soft = SoftAnswer::own,
-             std::shared_ptr<const HeldTargets> targets = nullptr);
+             std::shared_ptr<const SharedTargets> targets = nullptr);
 
   /// The method's answers for every sample of the view.
   /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass, with
@@ -107,7 +67,7 @@ class MethodPass {
     return answersInShares(drawing) ? hasDrawnShares_ : hasDrawnMask_;
   }
 
-  /// The samples at which the loops of the answer for the drawing's light turn `mostLoopTurns`
+  /// The samples at which the loops of the answer for the drawing's light turn `mostLoopIterations`
   /// times or more.
   /// @param check  of the same method and settings
   /// @throws InputError for a pass whose loops do
@@ -157,8 +117,8 @@ class MethodPass {
   std::vector<OwnPass> own_;  ///< with the one that resolves texels first
   bool readsLightDepth_;
   bool hasLightMesh_;
-  std::map<std::string, double> values_;        ///< every parameter's
-  std::shared_ptr<const HeldTargets> targets_;  ///< may be null
+  std::map<std::string, double> values_;          ///< every parameter's
+  std::shared_ptr<const SharedTargets> targets_;  ///< may be null
   gl::Program answer_;
   std::optional<gl::Program> share_;      ///< of a method that answers with a share
   std::vector<gl::Program> ownPrograms_;  ///< one a pass of `own_`

@@ -2,14 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "common/error.h"
-#include "render/gl_objects.h"
-#include "render/glsl_text.h"
-#include "render/passes/drawing.h"
 #include "render/program.h"
 #include "render/shared_names.h"
 

@@ -6,15 +6,13 @@
 #include <cmath>
 #include <span>
 #include <system_error>
-#include <utility>
 
 #include "common/error.h"
 #include "horizon/stored_table.h"
-#include "image/picture_meaning.h"
+#include "image/grey_picture.h"
 #include "render/declaration.h"
 #include "render/gl_context.h"
-#include "render/gl_objects.h"
-#include "render/glsl_text.h"
+#include "render/shader_files.h"
 
 namespace gnomon::render {
 

@@ -36,7 +36,8 @@ std::string textureAccess(const std::vector<MethodTexture>& textures);
 class GpuTexture {
  public:
   /// @throws InputError for a file that is no picture, has more than four channels, holds a number
-  ///   that is not finite, or is larger than OpenGL takes; MemoryError where it cannot be held
+  ///   that is not finite, or is larger than OpenGL takes; MemoryError where it does not fit in
+  ///   memory
   explicit GpuTexture(const MethodTexture& texture);
   [[nodiscard]] GLuint texture() const { return texture_.name(); }
   [[nodiscard]] std::uint64_t byteCount() const { return byteCount_; }

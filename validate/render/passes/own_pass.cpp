@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
-#include <utility>
 
 #include "render/declaration.h"
-#include "render/glsl_text.h"
 
 namespace gnomon::render {
 namespace {

@@ -11,8 +11,7 @@
 #include <utility>
 
 #include "common/parallel.h"
-#include "render/glsl_text.h"
-#include "render/passes/method_program.h"
+#include "render/shader_files.h"
 
 namespace gnomon::render {
 
@@ -63,7 +62,7 @@ MethodStage boundedStage(MethodStage stage, const std::string& result) {
                           fmt::format("uint loopTurns = 0u;\n"
                                       "bool nextTurn() {{ return ++loopTurns < {}u; }}\n"
                                       "#define main countedMain\n",
-                                      mostLoopTurns),
+                                      mostLoopIterations),
                           1});
   stage.fragment.push_back(
       {"(count of loops)",
@@ -72,8 +71,8 @@ MethodStage boundedStage(MethodStage stage, const std::string& result) {
 }
 
 MethodStage endlessStage(MethodStage stage) {
-  return boundedStage(std::move(stage),
-                      fmt::format("stored = vec4(loopTurns < {}u ? 0.0 : 1.0)", mostLoopTurns));
+  return boundedStage(std::move(stage), fmt::format("stored = vec4(loopTurns < {}u ? 0.0 : 1.0)",
+                                                    mostLoopIterations));
 }
 
 LoopCheck::LoopCheck(const std::filesystem::path& shaders, const Method& method, relief::Wrap wrap,

@@ -38,12 +38,12 @@ double meanOfSamples(const std::vector<float>& texels);
 /// without an end would hang a GPU, and Mesa's software driver ends all loops of a shader after
 /// 65,535 turns without a word: what they find is then no answer. So a method's loops are counted,
 /// and ended, before a frame of it is drawn.
-constexpr unsigned mostLoopTurns = 32768;
+constexpr unsigned mostLoopIterations = 32768;
 
 /// Whether a method's own code has a loop.
 bool hasLoops(const Method& method);
 
-/// A stage with its loops counted and ended at `mostLoopTurns`.
+/// A stage with its loops counted and ended at `mostLoopIterations`.
 /// @param result  what its `main` sets in the end, GLSL, of `loopTurns`
 MethodStage boundedStage(MethodStage stage, const std::string& result);
 

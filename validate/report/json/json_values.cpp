@@ -10,7 +10,7 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/lists.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "report/text/number_text.h"
 #include "report/text/verdict_text.h"
 #include "report/view_images.h"
@@ -227,7 +227,7 @@ std::string plainJson(const Json& json, int indent) {
     const Utf8Character character = firstCharacter(rest);
     // JSON stands on terminals and in logs too. In a string an escape is the same character.
     const bool moves =
-        character.code != '\n' && (isControl(character.code) || turnsDirection(character.code));
+        character.code != '\n' && (isControl(character.code) || reversesText(character.code));
     if (moves) {
       text += fmt::format("\\u{:04x}", character.code);
     } else if (rest.starts_with('[') && text.ends_with("##")) {

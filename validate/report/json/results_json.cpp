@@ -10,8 +10,8 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
+#include "common/files/input_file.h"
 #include "common/lists.h"
-#include "common/text/sha256.h"
 #include "report/json/json_values.h"
 #include "report/tables/cost_table.h"
 #include "report/text/number_text.h"

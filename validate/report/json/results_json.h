@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "study/judge/baseline.h"
+#include "study/judge/gates.h"
 #include "study/judge/ranking.h"
 #include "study/record/sweep_record.h"
 #include "study/spec/suite/drawn_suite.h"

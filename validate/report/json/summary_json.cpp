@@ -8,14 +8,14 @@
 #include <string_view>
 #include <utility>
 
+#include "compare/answer_metrics.h"
 #include "compare/boundaries.h"
-#include "compare/share_metrics.h"
 #include "report/json/json_values.h"
 #include "report/tables/confidence.h"
 #include "report/tables/cost_table.h"
 #include "report/text/number_text.h"
 #include "study/judge/distinguish.h"
-#include "study/record/result_metrics.h"
+#include "study/record/cases.h"
 #include "study/run/stages/budget.h"
 
 namespace gnomon::report {

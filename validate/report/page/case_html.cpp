@@ -22,10 +22,10 @@
 #include "report/tables/case_tables.h"
 #include "report/text/html.h"
 #include "report/text/number_text.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 #include "study/record/cases.h"
 #include "study/run/stages/truth_pictures.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 
 namespace gnomon::report {
 namespace {

@@ -19,7 +19,6 @@
 #include "report/text/number_text.h"
 #include "report/text/verdict_text.h"
 #include "study/judge/ranking.h"
-#include "study/judge/study_means.h"
 #include "study/record/cases.h"
 
 namespace gnomon::report {

@@ -15,7 +15,7 @@
 #include "report/plots/line_plot.h"
 #include "report/text/html.h"
 #include "report/text/number_text.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 #include "study/record/cases.h"
 
 namespace gnomon::report {

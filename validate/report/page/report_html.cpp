@@ -21,7 +21,7 @@
 #include "report/text/number_text.h"
 #include "report/text/verdict_text.h"
 #include "study/judge/distinguish.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 #include "study/record/cases.h"
 
 namespace gnomon::report {

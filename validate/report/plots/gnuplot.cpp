@@ -22,8 +22,8 @@
 #include "cache/cache.h"
 #include "common/error.h"
 #include "common/parallel.h"
-#include "common/system/child_process.h"
-#include "common/text/words.h"
+#include "common/system/process.h"
+#include "common/text.h"
 #include "report/plots/line_plot.h"
 #include "report/text/html.h"
 

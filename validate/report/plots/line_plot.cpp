@@ -14,7 +14,7 @@
 #include "report/tables/cost_table.h"
 #include "report/terminal_page.h"
 #include "report/text/number_text.h"
-#include "study/run/scene/sample_axes.h"
+#include "study/run/scene/view_samples.h"
 
 namespace gnomon::report {
 

@@ -13,7 +13,6 @@
 #include "render/method.h"
 #include "report/plots/gnuplot.h"
 #include "study/judge/ranking.h"
-#include "study/judge/study_means.h"
 #include "study/judge/suite/suite_statistics.h"
 
 namespace gnomon::report {

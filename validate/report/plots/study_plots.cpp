@@ -20,7 +20,7 @@
 #include "study/judge/ranking.h"
 #include "study/record/cases.h"
 #include "study/record/record.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 
 namespace gnomon::report {
 

@@ -20,7 +20,7 @@
 #include "report/tables/table.h"
 #include "report/text/number_text.h"
 #include "report/text/verdict_text.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::report {
 

@@ -12,7 +12,7 @@
 #include "report/tables/latex_table.h"
 #include "report/tables/table.h"
 #include "report/text/html.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 #include "study/judge/suite/chosen_settings.h"
 #include "study/judge/suite/suite_statistics.h"
 

@@ -10,7 +10,7 @@
 #include "report/text/number_text.h"
 #include "report/text/verdict_text.h"
 #include "study/judge/ranking.h"
-#include "study/run/scene/sample_axes.h"
+#include "study/run/scene/view_samples.h"
 
 namespace gnomon::report {
 namespace {

@@ -13,7 +13,7 @@
 #include "report/text/number_text.h"
 #include "report/text/verdict_text.h"
 #include "study/judge/distinguish.h"
-#include "study/record/result_metrics.h"
+#include "study/record/cases.h"
 
 namespace gnomon::report {
 

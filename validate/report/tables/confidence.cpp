@@ -11,7 +11,7 @@
 #include "report/text/number_text.h"
 #include "report/text/verdict_text.h"
 #include "study/judge/distinguish.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 #include "study/run/stages/budget.h"
 
 namespace gnomon::report {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/text/words.h"
+#include "common/text.h"
 
 namespace gnomon::report {
 

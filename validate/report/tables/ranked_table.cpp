@@ -7,7 +7,7 @@
 #include "report/tables/cost_table.h"
 #include "report/text/number_text.h"
 #include "report/text/verdict_text.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 
 namespace gnomon::report {
 

@@ -9,12 +9,11 @@
 #include "report/tables/ranked_table.h"
 #include "report/tables/table.h"
 #include "report/text/number_text.h"
-#include "study/judge/baseline.h"
 #include "study/judge/claims.h"
 #include "study/judge/distinguish.h"
+#include "study/judge/gates.h"
 #include "study/judge/ranking.h"
 #include "study/record/cases.h"
-#include "study/record/result_metrics.h"
 
 namespace gnomon::report {
 

@@ -12,7 +12,7 @@
 
 #include "common/error.h"
 #include "common/system/memory.h"
-#include "common/text/words.h"
+#include "common/text.h"
 #include "report/page/html_page.h"
 #include "report/tables/confidence.h"
 #include "report/tables/latex_table.h"

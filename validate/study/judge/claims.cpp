@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "study/record/cases.h"
-#include "study/record/result_metrics.h"
 
 namespace gnomon::study {
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "common/error.h"
 #include "common/lists.h"
 
 namespace gnomon::study {

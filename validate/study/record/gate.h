@@ -37,7 +37,7 @@ struct Threshold {
   bool operator==(const Threshold&) const = default;
 };
 
-/// The limits follow from a committed value of the study's references (baseline.h).
+/// The limits follow from a committed value of the study's references (gates.h).
 struct Reference {
   double committed = 0;
   double spread = 0;     ///< measured with it: how uncertain the truth was

@@ -8,9 +8,9 @@
 #include <map>
 #include <utility>
 
-#include "compare/mask_metrics.h"
+#include "compare/answer_metrics.h"
 #include "horizon/search_radius.h"
-#include "relief/patch_border.h"
+#include "relief/relief.h"
 #include "study/run/scene/run_keys.h"
 #include "surface/closed_surface.h"
 #include "surface/face_grids.h"

@@ -8,42 +8,38 @@
 #include "horizon/horizon_bake.h"
 #include "render/shader_files.h"
 #include "study/judge/gates.h"
-#include "study/run/driver_faults.h"
 #include "study/run/method_trial.h"
 #include "study/run/notices.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/run/scene/environment.h"
 #include "study/run/scene/method_case.h"
 #include "study/run/scene/method_outcome.h"
-#include "study/run/scene/run_scene.h"
-#include "study/run/scene/truth_stage.h"
 #include "study/run/stages/budget.h"
+#include "study/run/stages/confidence.h"
 #include "study/run/stages/cost_stage.h"
-#include "study/run/stages/ladder_stage.h"
 #include "study/run/stages/panel_pictures.h"
-#include "study/spec/method_replacement.h"
+#include "study/spec/method_changes.h"
 
 namespace gnomon::study {
 
 namespace {
 
-/// What a run leaves beside its figures.
-enum class Beside { nothing, memory, picturesAndCosts };
+/// What a run leaves in addition to its figures.
+enum class Extras { nothing, memory, picturesAndCosts };
 
-int framesOf(const StudySpec& study, Beside beside) {
-  return beside == Beside::picturesAndCosts ? study.frames : 0;
+int framesOf(const StudySpec& study, Extras extras) {
+  return extras == Extras::picturesAndCosts ? study.frames : 0;
 }
 
 /// The order of a run's stages, and what passes from one to the next.
 class StudyRun {
  public:
   StudyRun(const StudySpec& study, const render::GlContext& gl, RunWriter& writer,
-           cache::Cache& kept, SceneStore& held, const StageProgress& progress, Beside beside)
+           cache::Cache& kept, const StageProgress& progress, Extras extras)
       : study_(study),
-        beside_(beside),
-        costs_(render::frameClockOf(gl.driver().renderer), framesOf(study, beside)),
+        extras_(extras),
+        costs_(render::frameClockOf(gl.driver().renderer), framesOf(study, extras)),
         clock_(progress),
-        scene_(study, clock_, gl, kept, held),
+        scene_(study, clock_, gl, kept),
         before_(scene_.cache.counts()),
         surface_(truthSurface(scene_)),
         writer_(writer),
@@ -59,7 +55,7 @@ class StudyRun {
     compareMethods(ladders);
     if (auto notice = otherChartNotice(record_.methods)) record_.notices.push_back(*notice);
     record_.budgets = ladders.attribute(record_.truth);
-    if (beside_ != Beside::nothing) measureCosts();
+    if (extras_ != Extras::nothing) measureCosts();
     record_.judgements = judgeThresholds(study_.thresholds, record_);
     record_.timings = clock_.timings();
     if (scene_.cache.isOn()) record_.cache = scene_.cache.counts() - before_;
@@ -68,7 +64,7 @@ class StudyRun {
 
  private:
   void measureCosts() {
-    if (framesOf(study_, beside_) > 0) writer_.beQuiet();
+    if (framesOf(study_, extras_) > 0) writer_.beQuiet();
     for (MethodCase& method : methods_) {
       if (!method.isGiven()) record_.cost.push_back(costs_.measure(scene_, method));
     }
@@ -204,10 +200,10 @@ class StudyRun {
     }
   }
 
-  [[nodiscard]] bool hasPictures() const { return beside_ == Beside::picturesAndCosts; }
+  [[nodiscard]] bool hasPictures() const { return extras_ == Extras::picturesAndCosts; }
 
   const StudySpec& study_;
-  Beside beside_;
+  Extras extras_;
   CostStage costs_;
   StageClock clock_;
   RunScene scene_;
@@ -221,13 +217,11 @@ class StudyRun {
 
 /// Measures what the driver draws right.
 StudyRecord runMeasurable(const StudySpec& study, const render::GlContext& gl, RunWriter& writer,
-                          cache::Cache& kept, SceneStore& held, const StageProgress& progress,
-                          Beside beside) {
+                          cache::Cache& kept, const StageProgress& progress, Extras extras) {
   DriverFaults faults(render::shaderFolder(), kept);
   const MeasurableStudy left = measurable(study, faults);
   StudyRecord record =
-      StudyRun(left.reduced ? *left.reduced : study, gl, writer, kept, held, progress, beside)
-          .run();
+      StudyRun(left.reduced ? *left.reduced : study, gl, writer, kept, progress, extras).run();
   addRefused(record, study, left.refused);
   return record;
 }
@@ -235,20 +229,20 @@ StudyRecord runMeasurable(const StudySpec& study, const render::GlContext& gl, R
 }  // namespace
 
 StudyRecord runStudy(const StudySpec& study, const render::GlContext& gl, RunWriter& writer,
-                     cache::Cache& kept, SceneStore& held, const StageProgress& progress) {
-  return runMeasurable(study, gl, writer, kept, held, progress, Beside::picturesAndCosts);
+                     cache::Cache& kept, const StageProgress& progress) {
+  return runMeasurable(study, gl, writer, kept, progress, Extras::picturesAndCosts);
 }
 
 StudyRecord runStudyFigures(const StudySpec& study, const render::GlContext& gl, cache::Cache& kept,
-                            SceneStore& held, const StageProgress& progress) {
+                            const StageProgress& progress) {
   NoFiles writer;
-  return runMeasurable(study, gl, writer, kept, held, progress, Beside::memory);
+  return runMeasurable(study, gl, writer, kept, progress, Extras::memory);
 }
 
 StudyRecord measureStudy(const StudySpec& study, const render::GlContext& gl, cache::Cache& kept,
-                         SceneStore& held, const StageProgress& progress) {
+                         const StageProgress& progress) {
   NoFiles writer;
-  return runMeasurable(study, gl, writer, kept, held, progress, Beside::nothing);
+  return runMeasurable(study, gl, writer, kept, progress, Extras::nothing);
 }
 
 StudyRecord traceStudy(RunScene& scene, const render::GlContext& gl,

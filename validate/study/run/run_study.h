@@ -2,12 +2,11 @@
 
 #include <functional>
 
-#include "horizon/table_file.h"
+#include "horizon/stored_table.h"
 #include "render/gl_context.h"
 #include "study/record/record.h"
 #include "study/run/scene/environment.h"
 #include "study/run/scene/run_scene.h"
-#include "study/run/scene/scene_store.h"
 #include "study/run/scene/truth_stage.h"
 #include "study/run/stages/run_writer.h"
 #include "study/spec/study_file.h"
@@ -19,18 +18,17 @@ namespace gnomon::study {
 /// `writer`, figures into the record. Claims are left to `judgeClaims`, since some need other
 /// studies of the same run.
 /// @param gl    current on this thread
-/// @param kept  results of earlier runs: what is found there is not computed again
-/// @param held  what earlier studies of this process left in memory: likewise
+/// @param kept  what earlier runs and studies left: what is found there is not computed again
 StudyRecord runStudy(const StudySpec& study, const render::GlContext& gl, RunWriter& writer,
-                     cache::Cache& kept, SceneStore& held, const StageProgress& progress = {});
+                     cache::Cache& kept, const StageProgress& progress = {});
 
 /// The same without pictures, masks and frame times: the figures alone.
 StudyRecord runStudyFigures(const StudySpec& study, const render::GlContext& gl, cache::Cache& kept,
-                            SceneStore& held, const StageProgress& progress = {});
+                            const StageProgress& progress = {});
 
 /// The same without what the methods cost, too.
 StudyRecord measureStudy(const StudySpec& study, const render::GlContext& gl, cache::Cache& kept,
-                         SceneStore& held, const StageProgress& progress = {});
+                         const StageProgress& progress = {});
 
 /// The parts of a study that need no method: its truth and its tables.
 

@@ -3,20 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <string>
 #include <string_view>
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
-#include "common/text/sha256.h"
 #include "render/method.h"
 #include "render/shader_files.h"
-#include "study/spec/mask_files.h"
-#include "study/spec/method_replacement.h"
-#include "study/spec/sections/study_paths.h"
-#include "study/spec/study_file.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/method_changes.h"
+#include "study/spec/sections/method_section.h"
+#include "study/spec/sections/study_files.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 
@@ -90,7 +87,7 @@ toml::table resolvedStudy(const StudySpec& study, const fs::path& folder) {
                        return settingsOf(sectionOf(light));
                      })}};
   insertJudged(table, study);
-  movePaths(table, home, folder);
+  moveFiles(table, home, folder);
   table.insert("method", tablesOf(study.methods, [&](const MethodSpec& method) {
                  return tableOf(method, folder, resample);
                }));
@@ -109,7 +106,7 @@ toml::table sweepStudy(const StudySpec& step, const StudyOptions& options, const
   }
   if (step.quick) table["study"].as_table()->insert_or_assign("quick", true);
   insertJudged(table, step);
-  movePaths(table, studyFolder(step.file), folder);
+  moveFiles(table, studyFolder(step.file), folder);
   return table;
 }
 
@@ -125,12 +122,12 @@ std::string studyCopyText(const toml::table& study, const fs::path& file) {
 }
 
 void requireCopyOrNothing(const fs::path& file) {
-  if (!pathExists(file)) return;
+  if (!isThere(file)) return;
   try {
     if (readFile(file).starts_with(copyMark)) return;
   } catch (const InputError&) {
     // Another run that writes into the folder has just taken it away.
-    if (!pathExists(file)) return;
+    if (!isThere(file)) return;
     throw;
   }
   throw InputError(fmt::format(
@@ -139,7 +136,6 @@ void requireCopyOrNothing(const fs::path& file) {
       file.string()));
 }
 
-namespace fs = std::filesystem;
 namespace {
 
 using Kind = InputRecord::Kind;
@@ -165,10 +161,10 @@ std::vector<InputFile> filesOf(const StudySpec& study) {
   const fs::path home = studyFolder(study.file);
   std::vector<InputFile> files = {{Kind::study, study.file}};
   if (const auto* mesh = std::get_if<SurfaceMesh>(&study.surfaceSection)) {
-    files.push_back({Kind::mesh, home / pathOf(mesh->path)});
+    files.push_back({Kind::mesh, home / fileOf(mesh->path)});
   }
   if (const ImageMap* image = imageOf(study.reliefSection)) {
-    files.push_back({Kind::image, home / pathOf(image->path)});
+    files.push_back({Kind::image, home / fileOf(image->path)});
   }
   for (const fs::path& file : render::shadersIn(render::shaderFolder() / "common")) {
     files.push_back({Kind::shader, file});
@@ -201,14 +197,14 @@ std::vector<InputRecord> studyInputs(const StudySpec& study, const fs::path& fol
   for (const auto& [kind, file] : filesOf(study)) {
     if (kind == Kind::study) {
       // Of the text that was run, whatever the file holds by now.
-      records.push_back(
-          {kind, isGivenStream(file) ? file.string() : pathFrom(file, folder), sha256(study.text)});
+      records.push_back({kind, isGivenStream(file) ? file.string() : relativeFile(file, folder),
+                         sha256(study.text)});
       continue;
     }
     const fs::path inside = file.lexically_relative(shaders);
     const bool isOurs = kind == Kind::shader && !inside.empty() && *inside.begin() != "..";
     const std::string name =
-        isOurs ? (fs::path("shaders") / inside).generic_string() : pathFrom(file, folder);
+        isOurs ? (fs::path("shaders") / inside).generic_string() : relativeFile(file, folder);
     const auto isSame = [&](const InputRecord& input) { return input.file == name; };
     if (std::any_of(records.begin(), records.end(), isSame)) continue;
     records.push_back({kind, name, sha256(readFile(file))});

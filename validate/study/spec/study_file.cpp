@@ -3,21 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
 #include <set>
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
-#include "relief/patch_border.h"
 #include "render/shader_files.h"
-#include "study/spec/method_replacement.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/method_changes.h"
+#include "study/spec/sections/study_files.h"
 #include "study/spec/study_sections.h"
-#include "study/spec/study_work.h"
-#include "study/spec/toml/toml_reader.h"
-#include "study/spec/toml/toml_text.h"
 #include "truth/visibility_tracer.h"
 
 namespace gnomon::study {
@@ -32,17 +26,7 @@ fs::path studyFolder(const fs::path& file) {
   return isGivenStream(file) ? fs::path() : file.parent_path();
 }
 
-namespace fs = std::filesystem;
 namespace {
-
-/// What is refused of the surface names the study.
-surface::LimitSurface surfaceOf(const StudySpec& study) {
-  try {
-    return surface::LimitSurface(study.cage);
-  } catch (const InputError& error) {
-    throw InputError(study.file.string() + ": " + error.what());
-  }
-}
 
 /// Makes a part that is not there yet.
 template <typename Part, typename Make>
@@ -81,42 +65,54 @@ surface::Cage sharedCage(StudyParts& parts, const TomlReader& section,
   return *parts.cage;
 }
 
+const surface::LimitSurface& sharedLimit(StudyParts& parts) {
+  if (!parts.limit) parts.limit = std::make_shared<const surface::LimitSurface>(*parts.cage);
+  return *parts.limit;
+}
+
 relief::Relief sharedRelief(StudyParts& parts, const TomlReader& section,
                             const ReliefSection& relief, const fs::path& folder) {
   // A solid is sampled into the map of its surface.
-  return remembered(parts.reliefs, parts.surfaceKey + keyOf(section),
-                    [&] { return reliefOf(relief, section, folder, *parts.cage); });
+  parts.reliefKey = parts.surfaceKey + keyOf(section);
+  const auto limit = [&]() -> const surface::LimitSurface& { return sharedLimit(parts); };
+  return remembered(parts.reliefs, parts.reliefKey,
+                    [&] { return reliefOf(relief, section, folder, *parts.cage, limit); });
 }
 
-horizon::SearchRadius sharedRadius(StudyParts& parts, const TomlReader& root,
-                                   const relief::Relief& relief, const std::vector<Vec3>& lights) {
-  std::string key = parts.surfaceKey + keyOf(root.table("relief"));
-  for (const Vec3& light : lights) key += fmt::format(" {} {} {}", light.x, light.y, light.z);
-  return remembered(parts.radii, key,
-                    [&] { return horizon::searchRadius(*parts.limit, relief, lights); });
-}
-
-/// The map gets its border; the radius is found by the rule, unless it is stated.
-void measureSurface(const TomlReader& root, StudySpec& study, StudyParts& parts, bool isStated) {
-  if (parts.limit == nullptr)
-    parts.limit = std::make_shared<const surface::LimitSurface>(surfaceOf(study));
-  const surface::LimitSurface& surface = *parts.limit;
+/// What no text tells: the map's border, and the radius by the rule.
+/// @param parts  that the study was parsed with last
+void prepare(StudySpec& study, StudyParts& parts) {
   relief::Relief& relief = study.relief;
-  const relief::Border border =
-      relief::borderOf(study.cage, surface, relief.field.wrap(), relief.repeats);
-  relief.field = std::move(relief.field).withBorder(border);
-  std::vector<Vec3> lights;
-  for (const Light& light : study.lights) lights.push_back(truth::lowestOfDisc(light));
-  study.radius = isStated ? horizon::SearchRadius{0, horizon::RadiusBound::stated}
-                          : sharedRadius(parts, root, relief, lights);
-}
-
-void readStudyBake(const TomlReader& root, StudySpec& study, StudyParts& parts, bool isOutline) {
-  const auto section = root.optionalTable("bake");
-  if (!isOutline) measureSurface(root, study, parts, section && section->has("radius"));
-  study.bake.settings.radiusTexels = study.radius.texels;
-  if (section) readSection(*section, keysOf(study.bake, study.relief.resample));
-  study.radius.texels = study.bake.settings.radiusTexels;
+  try {
+    const relief::Border border =
+        relief::borderOf(study.cage, sharedLimit(parts), relief.field.wrap(), relief.repeats);
+    relief.field = std::move(relief.field).withBorder(border);
+  } catch (const InputError& error) {
+    throw InputError(study.file.string() + ": " + error.what());
+  }
+  double& own = study.bake.settings.radiusTexels;
+  if (own > 0) {
+    study.radius = {own, horizon::RadiusBound::stated};
+  } else {
+    std::vector<Vec3> lights;
+    std::string key = parts.reliefKey;
+    for (const Light& light : study.lights) {
+      const Vec3& lowest = lights.emplace_back(truth::lowestOfDisc(light));
+      key += fmt::format(" {} {} {}", lowest.x, lowest.y, lowest.z);
+    }
+    study.radius = remembered(parts.radii, key,
+                              [&] { return horizon::searchRadius(*parts.limit, relief, lights); });
+    own = study.radius.texels;
+  }
+  const auto take = [own](MethodSpec& method) {
+    double& radius = method.bake.settings.radiusTexels;
+    if (radius == 0) radius = own;
+  };
+  std::ranges::for_each(study.methods, take);
+  for (LadderSpec& ladder : study.ladders) {
+    std::ranges::for_each(ladder.forward, take);
+    std::ranges::for_each(ladder.backward, take);
+  }
 }
 
 /// Four times as long, but not over half a texel unless it was: there is a line through every
@@ -242,7 +238,10 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
   for (const TomlReader& section : root.tables("light")) {
     for (Light& light : readLights(section)) study.lights.push_back(std::move(light));
   }
-  readStudyBake(root, study, parts, options.isOutline);
+  study.bake.settings.radiusTexels = 0;
+  if (const auto bake = root.optionalTable("bake")) {
+    readSection(*bake, keysOf(study.bake, study.relief.resample));
+  }
   const MethodDefaults defaults{folder,     render::shaderFolder(), study.bake,
                                 study.base, study.relief.resample,  parts.methods};
   for (const TomlReader& method : root.tables("method")) {
@@ -263,6 +262,7 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
   (void)root.find("sweep");
   root.finish();
   reduce(study, options);
+  if (!options.isOutline) prepare(study, parts);
   return study;
 }
 

@@ -6,20 +6,18 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "horizon/search_radius.h"
 #include "relief/relief.h"
 #include "study/spec/sections/bake_section.h"
-#include "study/spec/sections/light_section.h"
 #include "study/spec/sections/method_section.h"
 #include "study/spec/sections/relief_section.h"
 #include "study/spec/sections/surface_section.h"
 #include "study/spec/sections/threshold_section.h"
 #include "study/spec/sections/view_section.h"
-#include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml_reader.h"
 #include "surface/cage/cage.h"
 #include "surface/limit_surface.h"
 
@@ -32,8 +30,9 @@ struct StudyParts {
   /// The last surface: a sweep seldom comes back to one.
   std::string surfaceKey = {};
   std::shared_ptr<const surface::Cage> cage = {};
-  std::shared_ptr<const surface::LimitSurface> limit = {};
-  std::map<std::string, relief::Relief> reliefs = {};  ///< without their borders
+  std::shared_ptr<const surface::LimitSurface> limit = {};  ///< null until something needs it
+  std::string reliefKey = {};                               ///< of the last relief
+  std::map<std::string, relief::Relief> reliefs = {};       ///< without their borders
   std::map<std::string, horizon::SearchRadius> radii = {};
   DeclaredMethods methods = {};
 };
@@ -169,13 +168,14 @@ struct StudyOptions {
   std::vector<std::string> addedMethods = {};
   std::size_t mostCases = 100'000;  ///< of a sweep: more are refused
   bool gatedOnly = false;  ///< only the methods that a gate names; all, if a gate names none
-  /// An outline tells what a study asks for, but cannot be run: neither the map's border nor the
-  /// rule's search radius is found, which takes longer than all the rest.
+  /// An outline tells what a study asks for, but cannot be run: it is parsed, not prepared.
   bool isOutline = false;
 };
 
 /// Reads and checks a study: paths in it are relative to its folder, see studyFolder. A `[sweep]`
-/// is left to `readStudyPlan`.
+/// is left to `readStudyPlan`. Its text is parsed; then, unless it is an outline, it is prepared to
+/// be run: the limit surface gives the map's border, and the search radius of bakes that state none
+/// (0 until then).
 /// @throws InputError naming file, line, key, what was found and what was expected
 StudySpec readStudy(const StudyText& text, const StudyOptions& options = {});
 StudySpec readStudy(const std::filesystem::path& file, const StudyOptions& options = {});

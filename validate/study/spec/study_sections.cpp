@@ -8,7 +8,6 @@
 #include "compare/metric.h"
 #include "render/shader_files.h"
 #include "study/record/cases.h"
-#include "study/spec/study_file.h"
 #include "study/spec/sweep/sweep.h"
 #include "truth/region.h"
 

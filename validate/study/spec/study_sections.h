@@ -4,7 +4,7 @@
 
 #include "study/spec/sections/study_key.h"
 #include "study/spec/study_file.h"
-#include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 

@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "common/error.h"
-#include "surface/readers/polygon_mesh.h"
 
 namespace gnomon::surface {
 

@@ -1,5 +1,3 @@
-#include "surface/readers/ply_reader.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -187,11 +185,35 @@ void MeshReader::takeUvs(const std::vector<double>& uvs, std::size_t corners,
   }
 }
 
-}  // namespace
-
+/// Reads the bytes of a PLY (Turk 1994): ASCII, or binary of either byte order; polygons of any
+/// size. It takes
+/// - of `vertex`: x, y, z, and where they are there texture coordinates: u, v, or s, t, or
+///   texture_u, texture_v;
+/// - of `face`: the list vertex_indices, or vertex_index, and where it is there the list texcoord:
+///   u and v of each corner. It rules over the vertices' own. Empty for a face, that face has none:
+///   there are no frames on it.
+///
+/// All other elements and properties are skipped, sharp edges among them.
+/// @param source  the file, as messages name it
+/// @throws InputError naming file and line, or in a binary file element, row and byte: a header
+/// that
+///   readPlyHeader refuses, no vertices or faces with these properties, a file that ends early or
+///   goes on after its last row, a value that is malformed, out of its type's range or not finite,
+///   a texcoord that has not two values for each corner
 PolygonMesh readPly(const std::string& source, std::string_view bytes) {
   const PlyHeader header = readPlyHeader(source, bytes);
   return MeshReader(source, bytes, header).read();
 }
+
+bool beginsAsPly(std::string_view bytes) {
+  return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
+}
+
+}  // namespace
+
+extern const MeshFormat plyFormat;
+/// Memory: a face of a binary file may take no more than ten bytes, with its corners' vertices and
+/// texture coordinates as many again; here some hundred a corner, and OpenSubdiv's two levels.
+const MeshFormat plyFormat = {"PLY", ".ply", 60, &readPly, &beginsAsPly};
 
 }  // namespace gnomon::surface

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
-#include <span>
 #include <tuple>
 #include <utility>
 

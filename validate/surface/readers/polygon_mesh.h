@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -47,7 +48,19 @@ struct PolygonMesh {
 ///   a face that is no triangle; and all that `makeTopologyRefiner` refuses
 Cage toCage(PolygonMesh mesh, SubdivisionScheme scheme);
 
-// Shared by the sources of this component; no other component includes it.
+/// A format of mesh files. `readers/NAME_reader.cpp` defines it as `NAMEFormat`, declared here for
+/// the list that the build makes of all.
+struct MeshFormat {
+  std::string_view name;    ///< "PLY"
+  std::string_view ending;  ///< of a file's name, lower case: ".ply"
+  double memory;            ///< bytes that reading takes at most, for each byte of the file
+  /// @param source  the file, as messages name it
+  /// @throws InputError naming the file and the place in it
+  PolygonMesh (*read)(const std::string& source, std::string_view bytes);
+  /// Whether bytes begin as only files of this format do; null where these may begin in any way.
+  bool (*begins)(std::string_view bytes) = nullptr;
+};
+std::span<const MeshFormat* const> meshFormats();
 
 /// One line of a text file, cut at spaces and tabs.
 struct TextLine {

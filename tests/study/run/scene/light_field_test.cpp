@@ -1,4 +1,4 @@
-#include "study/run/scene/view_map.h"
+#include "study/run/scene/view_samples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "study/run/scene/sample_axes.h"
+#include "study/run/scene/view_samples.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/bins.h"
+#include "compare/counts.h"
 #include "surface/base_mesh.h"
 #include "truth/truth_scenes.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "compare/scenes/scene_table.h"
+#include "compare/scenes/comparisons.h"
 #include "study/judge/suite/suite_statistics.h"
 #include "study/spec/suite/drawn_suite.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 
 namespace gnomon::study {
 

@@ -10,8 +10,6 @@
 
 #include "common/lists.h"
 #include "common/parallel.h"
-#include "compare/scenes/comparisons.h"
-#include "compare/scenes/resampled_mean.h"
 #include "study/judge/distinguish.h"
 
 namespace gnomon::study {

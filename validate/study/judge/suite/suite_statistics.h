@@ -8,8 +8,7 @@
 
 #include "compare/scenes/comparisons.h"
 #include "compare/scenes/resampled_mean.h"
-#include "compare/scenes/scene_table.h"
-#include "study/judge/study_means.h"
+#include "study/judge/ranking.h"
 
 namespace gnomon::study {
 

@@ -9,13 +9,13 @@
 #include "common/system/memory.h"
 #include "render/passes/drawing.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/run/scene/view_map.h"
-#include "study/spec/method_replacement.h"
+#include "study/run/scene/view_samples.h"
+#include "study/spec/method_changes.h"
 
 namespace gnomon::study {
 namespace {
 
-/// Refuses a view whose samples, truths and masks cannot be held.
+/// Refuses a view whose samples, truths and masks do not fit in memory.
 void requireRoom(const StudySpec& study, int width, int height, const std::string& name) {
   const double samples = static_cast<double>(width) * height;
   const std::string what = fmt::format("view \"{}\": {} × {} samples", name, width, height);
@@ -27,7 +27,7 @@ void requireRoom(const StudySpec& study, int width, int height, const std::strin
   constexpr double bytesWhileRendering = 64;
   constexpr double bytesOfWeightsAndPlaces =
       sizeof(double) + sizeof(surface::SurfaceSample) + sizeof(std::uint8_t);
-  // A truth, the coarser one that it is held against, and whether the path crosses a seam.
+  // A truth, the coarser one that it is compared with, and whether the path crosses a seam.
   constexpr double bytesOfTruth = 2 * (sizeof(Shade) + sizeof(truth::Region)) + 1;
   requireMemory(samples * (bytesWhileRendering + bytesOfWeightsAndPlaces +
                            bytesOfTruth * static_cast<double>(study.lights.size()) +
@@ -93,13 +93,13 @@ DrawnBase displaced(const StudySpec& study, const surface::LimitSurface& surface
 }
 
 /// About what a mesh takes, in memory and on the GPU.
-std::uint64_t heldBytes(const DrawnBase& drawn) {
+std::uint64_t memoryOf(const DrawnBase& drawn) {
   const std::size_t copies = drawn.volumes ? 4 : 2;
   return copies * (drawn.mesh.vertices.size() * sizeof(surface::BaseVertex) +
                    drawn.mesh.triangles.size() * sizeof(std::uint32_t));
 }
 
-std::uint64_t heldBytes(const ChosenSamples& chosen) {
+std::uint64_t memoryOf(const ChosenSamples& chosen) {
   return chosen.samples.samples.size() * sizeof(surface::SurfaceSample) +
          chosen.layout.breaks.size() + chosen.weights.size() * sizeof(double);
 }
@@ -110,13 +110,13 @@ OnDemand<std::shared_ptr<const DrawnBase>> drawnOnDemand(const StudySpec& study,
                                                          const surface::LimitSurface& surface,
                                                          MeshChoice choice, CaseMakers with) {
   const auto make = [&study, &surface, &layout = with.layout, choice] {
-    return std::make_shared<const DrawnBase>(choice.kind == render::DrawnMesh::displaced
-                                                 ? displaced(study, surface, layout, choice)
-                                                 : undisplaced(study, surface, layout, choice));
+    return choice.kind == render::DrawnMesh::displaced
+               ? displaced(study, surface, layout, choice)
+               : undisplaced(study, surface, layout, choice);
   };
   return OnDemand<std::shared_ptr<const DrawnBase>>([make, with, choice] {
-    return with.store.get<DrawnBase>(with.keys.mesh(choice), make,
-                                     [](const DrawnBase& drawn) { return heldBytes(drawn); });
+    return with.cache.share(with.keys.mesh(choice), make,
+                            [](const DrawnBase& drawn) { return memoryOf(drawn); });
   });
 }
 
@@ -128,14 +128,12 @@ BaseCase makeBaseCase(const StudySpec& study, const surface::LimitSurface& surfa
     const render::RenderView size = pictureSize(spec, surface);
     requireRoom(study, size.width, size.height, spec.name);
     const cache::ContentKey key = with.keys.samples(choice, v);
-    const std::shared_ptr<const ChosenSamples> chosen = with.store.get<ChosenSamples>(
-        key,
-        [&] {
-          return std::make_shared<const ChosenSamples>(with.cache.remember(key, [&] {
-            return chooseSamples(study, surface, *base.drawn.get(), with.shaders, spec);
-          }));
-        },
-        [](const ChosenSamples& samples) { return heldBytes(samples); });
+    const auto choose = [&] {
+      return chooseSamples(study, surface, *base.drawn.get(), with.shaders, spec);
+    };
+    const std::shared_ptr<const ChosenSamples> chosen = with.cache.share(
+        key, [&] { return with.cache.remember(key, choose); },
+        [](const ChosenSamples& samples) { return memoryOf(samples); });
     base.views.push_back({chosen->view, chosen->samples, chosen->layout, chosen->weights, {}});
   }
   return base;

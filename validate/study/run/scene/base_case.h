@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "cache/cache.h"
-#include "common/alongside.h"
-#include "compare/mask_metrics.h"
+#include "common/parallel.h"
+#include "compare/answer_metrics.h"
 #include "render/gpu_scene.h"
 #include "render/method.h"
 #include "study/run/scene/run_keys.h"
-#include "study/run/scene/scene_store.h"
 #include "study/spec/study_file.h"
 #include "surface/base_mesh.h"
 #include "surface/limit_surface.h"
@@ -53,22 +52,20 @@ struct BaseCase {
 struct CaseMakers {
   const std::filesystem::path& shaders;
   cache::Cache& cache;
-  SceneStore& store;
   const RunKeys& keys;
   const surface::TextureLayout& layout;  ///< of the surface
 };
 
-/// A mesh that is made, or taken from the store, when it is first asked for.
+/// A mesh that is made, or taken from the cache, when it is first asked for.
 /// @param study  outlives it, as do `surface` and `with`'s
 OnDemand<std::shared_ptr<const DrawnBase>> drawnOnDemand(const StudySpec& study,
                                                          const surface::LimitSurface& surface,
                                                          MeshChoice choice, CaseMakers with);
 
-/// Chooses the samples of every view by drawing the mesh, or takes what the store or the cache has
-/// of them.
+/// Chooses the samples of every view by drawing the mesh, or takes what the cache has of them.
 /// @param study    outlives the case, as do `surface` and `with`'s
 /// @throws InputError for a view that is larger than OpenGL allows or shows no surface; MemoryError
-///   for one whose samples, truths and masks cannot be held
+///   for one whose samples, truths and masks do not fit in memory
 BaseCase makeBaseCase(const StudySpec& study, const surface::LimitSurface& surface,
                       MeshChoice choice, CaseMakers with);
 

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "image/mask_picture.h"
-#include "study/spec/mask_files.h"
+#include "study/spec/sections/method_section.h"
 
 namespace gnomon::study {
 

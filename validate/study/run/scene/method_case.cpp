@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
-#include <variant>
-#include <vector>
 
 #include "common/error.h"
-#include "compare/mask_metrics.h"
+#include "compare/answer_metrics.h"
 #include "render/passes/drawing.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/run/scene/method_bakes.h"
 #include "truth/surface_horizons.h"
 
 namespace gnomon::study {
@@ -40,36 +37,33 @@ void bakeOwn(RunScene& scene, MethodCase& method) {
 }
 
 /// What all methods and cases draw their answers into; null where it is too large to be kept.
-std::shared_ptr<const render::HeldTargets> heldTargets(RunScene& scene) {
+std::shared_ptr<const render::SharedTargets> sharedTargets(RunScene& scene) {
   std::size_t samples = 0;
   for (const ViewCase& view : scene.standardBase().views) {
     samples = std::max(samples, view.samples.samples.size());
   }
   // Answers as bits and as shares, and texel counts, each with its depth.
   const std::uint64_t bytes = (5 + 13 + 8) * samples;
-  if (!scene.store.canHold(bytes)) return nullptr;
-  return scene.store.get<render::HeldTargets>(
-      cache::KeyBuilder("targets").key(),
-      [] { return std::make_shared<const render::HeldTargets>(); },
-      [bytes](const render::HeldTargets&) { return bytes; });
+  if (!scene.cache.canShare(bytes)) return nullptr;
+  return scene.cache.share(
+      cache::KeyBuilder("targets").key(), [] { return render::SharedTargets(); }, bytes);
 }
 
 /// The shader of a method as this study uses it, compiled once for all cases: Pass is MethodPass or
 /// TexelCounter.
-/// @param more  what its constructor takes beside
+/// @param more  what else its constructor takes
 template <typename Pass, typename... More>
-std::shared_ptr<const Pass> heldPass(RunScene& scene, const MethodCase& method,
-                                     const More&... more) {
+std::shared_ptr<const Pass> compiledPass(RunScene& scene, const MethodCase& method,
+                                         const More&... more) {
   const MethodSpec& spec = *method.spec;
-  return scene.store.get<Pass>(
+  return scene.cache.share(
       scene.keys.program(spec, method.method),
       [&] {
-        return std::make_shared<const Pass>(
-            scene.shaders, method.method, scene.study.relief.field.wrap(), spec.filter,
-            spec.parameters, spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own,
-            more...);
+        return Pass(scene.shaders, method.method, scene.study.relief.field.wrap(), spec.filter,
+                    spec.parameters, spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own,
+                    more...);
       },
-      [](const Pass&) { return programBytes; });
+      programBytes);
 }
 
 void compile(RunScene& scene, MethodCase& method) {
@@ -79,7 +73,7 @@ void compile(RunScene& scene, MethodCase& method) {
     render::requireTextureView(base.texture);
   }
   method.compiled.emplace(
-      CompiledMethod{heldPass<render::MethodPass>(scene, method, heldTargets(scene)),
+      CompiledMethod{compiledPass<render::MethodPass>(scene, method, sharedTargets(scene)),
                      reliefTables(scene, method.method, method.spec->bake)});
   if (!method.method.tables.surfaceAngles) bakeOwn(scene, method);
 }
@@ -109,12 +103,13 @@ horizon::AngleTable everyAzimuth(const horizon::AngleTable& table, int step) {
   return some;
 }
 
-/// Of a table that was shot toward more azimuths, if the store has one.
+/// Of a table that was shot toward more azimuths, if the cache has one.
 std::shared_ptr<const horizon::AngleTable> finerAngles(RunScene& scene, const MethodCase& method,
                                                        int azimuths) {
   BakeSpec bake = method.spec->bake;
   bake.settings.azimuths = azimuths;
-  return scene.store.held<horizon::AngleTable>(scene.keys.surfaceAngles(method.base->choice, bake));
+  return scene.cache.shared<horizon::AngleTable>(
+      scene.keys.surfaceAngles(method.base->choice, bake));
 }
 
 horizon::AngleTable shootAngles(RunScene& scene, const MethodCase& method) {
@@ -134,9 +129,8 @@ horizon::AngleTable shootAngles(RunScene& scene, const MethodCase& method) {
       });
   table.originX = plane.texelWindow.x;
   table.originY = plane.texelWindow.y;
-  return *scene.store.get<horizon::AngleTable>(
-      scene.keys.surfaceAngles(method.base->choice, bake),
-      [&] { return std::make_shared<const horizon::AngleTable>(std::move(table)); },
+  return *scene.cache.share(
+      scene.keys.surfaceAngles(method.base->choice, bake), [&] { return std::move(table); },
       [](const horizon::AngleTable& angles) { return sizeof(float) * angles.angles.size(); });
 }
 
@@ -218,7 +212,7 @@ void requireNumbers(const RunScene& scene, const MethodCase& method, std::size_t
 void requireEnds(RunScene& scene, const MethodCase& method, const CompiledMethod& ready,
                  const render::Drawing& drawing, std::size_t view, std::size_t light) {
   if (isBuiltIn(*method.spec) || !render::hasLoops(method.method)) return;
-  const auto check = heldPass<render::LoopCheck>(scene, method);
+  const auto check = compiledPass<render::LoopCheck>(scene, method);
   std::vector<std::size_t> endless;
   try {
     endless =
@@ -233,7 +227,7 @@ void requireEnds(RunScene& scene, const MethodCase& method, const CompiledMethod
   throw InputError(fmt::format(
       "{}: its loops turn {} times or more at {} of {} {}, fewer expected: "
       "is one without an end?",
-      nameOf(method), render::mostLoopTurns, found, all, samplesOf(scene, view, light)));
+      nameOf(method), render::mostLoopIterations, found, all, samplesOf(scene, view, light)));
 }
 
 /// Times a frame by a clock.
@@ -321,7 +315,7 @@ const CompiledMethod& compiled(RunScene& scene, MethodCase& method) {
 
 std::shared_ptr<const render::TexelCounter> texelCounter(RunScene& scene,
                                                          const MethodCase& method) {
-  return heldPass<render::TexelCounter>(scene, method);
+  return compiledPass<render::TexelCounter>(scene, method);
 }
 
 render::Drawing drawingOf(RunScene& scene, const MethodCase& method, std::size_t light) {

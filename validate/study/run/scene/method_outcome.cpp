@@ -1,14 +1,11 @@
 #include "study/run/scene/method_outcome.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <utility>
 
-#include "common/alongside.h"
 #include "common/lists.h"
 #include "common/parallel.h"
-#include "compare/bins.h"
 #include "compare/boundaries.h"
 #include "study/run/scene/truth_stage.h"
 #include "truth/surface_paths.h"
@@ -18,14 +15,14 @@ namespace {
 
 /// An answer and the truth's, as masks or as maps of visibility.
 template <typename Map>
-struct Held {
+struct AnswerAndTruth {
   const Map& answer;
   const Map& truth;
 };
 
 /// The counts of the regions that overlap no other, in order.
 template <typename Map>
-std::vector<compare::Counts> countDisjoint(const Held<Map>& held, const ViewCase& seen,
+std::vector<compare::Counts> countDisjoint(const AnswerAndTruth<Map>& both, const ViewCase& seen,
                                            const truth::Truth& truth) {
   std::vector<std::uint8_t> regions(truth.regions.size());
   std::transform(truth.regions.begin(), truth.regions.end(), regions.begin(),
@@ -34,7 +31,7 @@ std::vector<compare::Counts> countDisjoint(const Held<Map>& held, const ViewCase
   const std::size_t count =
       1 + place(*std::max_element(truth::reportedRegions.begin(), truth::reportedRegions.end()));
   const std::vector<compare::Counts> all =
-      compare::countClasses(held.answer, held.truth, regions, count, seen.weights);
+      compare::countClasses(both.answer, both.truth, regions, count, seen.weights);
   std::vector<compare::Counts> counts;
   counts.reserve(truth::reportedRegions.size());
   for (const truth::Region region : truth::reportedRegions) counts.push_back(all[place(region)]);
@@ -44,7 +41,7 @@ std::vector<compare::Counts> countDisjoint(const Held<Map>& held, const ViewCase
 /// The counts of truth::partRegions.
 /// @param parts  of every face of the surface
 template <typename Map>
-std::vector<compare::Counts> countParts(const Held<Map>& held, const ViewCase& seen,
+std::vector<compare::Counts> countParts(const AnswerAndTruth<Map>& both, const ViewCase& seen,
                                         const truth::Truth& truth, const std::vector<int>& parts,
                                         std::size_t partCount) {
   const std::size_t count = truth.regions.size();
@@ -58,26 +55,26 @@ std::vector<compare::Counts> countParts(const Held<Map>& held, const ViewCase& s
     pairs[i] = static_cast<std::uint8_t>(receivers[i] * partCount + truth.casters[i]);
   }
   std::vector<compare::Counts> counts =
-      compare::countClasses(held.answer, held.truth, receivers, partCount, seen.weights);
+      compare::countClasses(both.answer, both.truth, receivers, partCount, seen.weights);
   const std::vector<compare::Counts> shaded =
-      compare::countClasses(held.answer, held.truth, pairs, partCount * partCount, seen.weights);
+      compare::countClasses(both.answer, both.truth, pairs, partCount * partCount, seen.weights);
   counts.insert(counts.end(), shaded.begin(), shaded.end());
   return counts;
 }
 
 /// The counts of the regions, in the order of judgedRegions.
 template <typename Map>
-std::vector<compare::Counts> countRegions(const Held<Map>& held, const ViewCase& seen,
+std::vector<compare::Counts> countRegions(const AnswerAndTruth<Map>& both, const ViewCase& seen,
                                           const truth::Truth& truth, const surface::Cage& cage) {
   std::vector<compare::Counts> counts = {
-      compare::countSamples(held.answer, held.truth, seen.weights)};
+      compare::countSamples(both.answer, both.truth, seen.weights)};
   const auto append = [&](const std::vector<compare::Counts>& more) {
     counts.insert(counts.end(), more.begin(), more.end());
   };
-  append(countDisjoint(held, seen, truth));
-  append({compare::countSamples(held.answer, held.truth, seen.weights, truth.crossesSeam)});
+  append(countDisjoint(both, seen, truth));
+  append({compare::countSamples(both.answer, both.truth, seen.weights, truth.crossesSeam)});
   if (!cage.partNames.empty()) {
-    append(countParts(held, seen, truth, cage.limitFaceParts(), cage.partNames.size()));
+    append(countParts(both, seen, truth, cage.limitFaceParts(), cage.partNames.size()));
   }
   return counts;
 }
@@ -93,9 +90,10 @@ void withAnswer(const CaseAnswers& answers, Answer which, const truth::Truth& tr
                 const Work& work) {
   const bool isDrawn = which == Answer::drawn;
   if (truth.isSoft()) {
-    work(Held<Visibility>{isDrawn ? answers.drawnShares : answers.testShares, truth.visibility});
+    work(AnswerAndTruth<Visibility>{isDrawn ? answers.drawnShares : answers.testShares,
+                                    truth.visibility});
   } else {
-    work(Held<Mask>{isDrawn ? answers.drawn : answers.test, truth.mask});
+    work(AnswerAndTruth<Mask>{isDrawn ? answers.drawn : answers.test, truth.mask});
   }
 }
 
@@ -127,8 +125,8 @@ std::vector<MethodOutcome> OutcomeStage::compareOnOne(
     masks.push_back(which == Answer::drawn ? &of.drawn : &of.test);
     places.push_back(&place);
     parts.emplace_back([&, which] {
-      withAnswer(of, which, truth, [&](const auto& held) {
-        place.regions = countRegions(held, seen, truth, scene_.study.cage);
+      withAnswer(of, which, truth, [&](const auto& both) {
+        place.regions = countRegions(both, seen, truth, scene_.study.cage);
       });
     });
     if (!truth.isSoft()) return;
@@ -149,15 +147,15 @@ std::vector<MethodOutcome> OutcomeStage::compareOnOne(
     outcome.bins.resize(axes.size());
     for (std::size_t a = 0; a < axes.size(); ++a) {
       parts.emplace_back([&, a] {
-        withAnswer(own, Answer::drawn, truth, [&](const auto& held) {
-          outcome.bins[a] = compare::countBins(held.answer, held.truth, shared.bins[a],
+        withAnswer(own, Answer::drawn, truth, [&](const auto& both) {
+          outcome.bins[a] = compare::countBins(both.answer, both.truth, shared.bins[a],
                                                axes[a].edges.size() + 1, seen.weights);
         });
       });
     }
     parts.emplace_back([&] {
-      withAnswer(own, Answer::drawn, truth, [&](const auto& held) {
-        outcome.blocks = compare::blockErrors(held.answer, held.truth, cellSide_, seen.weights);
+      withAnswer(own, Answer::drawn, truth, [&](const auto& both) {
+        outcome.blocks = compare::blockErrors(both.answer, both.truth, cellSide_, seen.weights);
       });
     });
   }

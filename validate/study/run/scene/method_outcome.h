@@ -13,7 +13,7 @@
 #include "study/run/scene/base_case.h"
 #include "study/run/scene/method_case.h"
 #include "study/run/scene/run_scene.h"
-#include "study/run/scene/sample_axes.h"
+#include "study/run/scene/view_samples.h"
 
 namespace gnomon::study {
 

@@ -1,6 +1,5 @@
 #include "study/run/scene/run_keys.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "common/files/atomic_file.h"

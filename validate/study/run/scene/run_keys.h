@@ -24,7 +24,7 @@ struct MeshChoice {
   friend auto operator<=>(const MeshChoice&, const MeshChoice&) = default;
 };
 
-/// Everything of this program that a result may depend on beside its inputs: the bytes of the
+/// Everything of this program that a result may depend on apart from its inputs: the bytes of the
 /// program or library that computes it (so any change of its sources), and the versions of
 /// OpenSubdiv and Embree. A cache adds it to every key. Shaders are files, and enter where they are
 /// used; so does the GL renderer.
@@ -34,7 +34,7 @@ cache::ContentKey programKey();
 /// results that hold on any (HoldsOn).
 cache::ContentKey processorKey();
 
-/// Every file that methods and passes are made of beside a method's own.
+/// Every file that methods and passes are made of apart from a method's own.
 /// @param shaders  the folder that holds `common/`
 cache::ContentKey shadersKey(const std::filesystem::path& shaders);
 

@@ -1,13 +1,14 @@
 #include "study/run/scene/run_scene.h"
 
-#include <memory>
+#include <numeric>
 #include <span>
 
 #include "horizon/angle_table.h"
-#include "horizon/texel_scale.h"
+#include "render/bakes/bake_pass.h"
+#include "render/passes/texel_counter.h"
 #include "render/shader_files.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/spec/method_replacement.h"
+#include "study/spec/method_changes.h"
 
 namespace gnomon::study {
 
@@ -40,51 +41,47 @@ horizon::HorizonTables keptHorizons(cache::Cache& cache, const relief::HeightFie
 }
 
 const horizon::HorizonTables& TableSet::bake(const BakeSpec& spec, StageClock& clock) {
-  std::shared_ptr<const horizon::HorizonTables>& held = bakes_[settingsKey(spec, Enters::horizons)];
-  if (held) return *held;
-  held = store_.get<horizon::HorizonTables>(
-      bakeKey(field_, spec),
-      [&] {
-        return clock.measure("bake", [&](const Progress& progress) {
-          return std::make_shared<const horizon::HorizonTables>(
-              keptHorizons(cache_, field_, spec, progress));
-        });
-      },
-      [](const horizon::HorizonTables& tables) {
-        return sizeof(float) * (tables.horizon.size() + tables.distance.size());
-      });
-  return *held;
+  std::shared_ptr<const horizon::HorizonTables>& own = bakes_[settingsKey(spec, Enters::horizons)];
+  if (own) return *own;
+  const auto make = [&] {
+    return clock.measure("bake", [&](const Progress& progress) {
+      return keptHorizons(cache_, field_, spec, progress);
+    });
+  };
+  own = cache_.share(bakeKey(field_, spec), make, [](const horizon::HorizonTables& tables) {
+    return sizeof(float) * (tables.horizon.size() + tables.distance.size());
+  });
+  return *own;
 }
 
 const TablePair& TableSet::tables(const BakeSpec& spec, StageClock& clock) {
   const cache::ContentKey settings = settingsKey(spec, Enters::horizons | Enters::codes);
-  std::shared_ptr<const TablePair>& held = stored_[settings];
-  if (held) return *held;
+  std::shared_ptr<const TablePair>& own = stored_[settings];
+  if (own) return *own;
   const auto make = [&] {
     const horizon::HorizonTables& baked = bake(spec, clock);
     return clock.measure("tables", [&](const Progress&) {
       const auto store = [&](std::span<const float> values) {
         return render::GpuTable(horizon::storeTable(values, spec.bits), baked);
       };
-      return std::make_shared<const TablePair>(
-          TablePair{store(baked.horizon), store(baked.distance)});
+      return TablePair{store(baked.horizon), store(baked.distance)};
     });
   };
   const cache::ContentKey key = cache::KeyBuilder("tables")
                                     .add("bake", bakeKey(field_, spec))
                                     .add("settings", settings)
                                     .key();
-  held = store_.get<TablePair>(key, make, [](const TablePair& pair) {
+  own = cache_.share(key, make, [](const TablePair& pair) {
     return pair.horizon.byteCount() + pair.distance.byteCount();
   });
-  return *held;
+  return *own;
 }
 
 const render::GpuAngles& TableSet::angles(const BakeSpec& spec, StageClock& clock) {
   const cache::ContentKey settings =
       settingsKey(spec, Enters::horizons | Enters::codes | Enters::flatAngles);
-  std::shared_ptr<const render::GpuAngles>& held = angles_[settings];
-  if (held) return *held;
+  std::shared_ptr<const render::GpuAngles>& own = angles_[settings];
+  if (own) return *own;
   const cache::ContentKey key = cache::KeyBuilder("flat angles")
                                     .add("bake", bakeKey(field_, spec))
                                     .add("settings", settings)
@@ -93,30 +90,26 @@ const render::GpuAngles& TableSet::angles(const BakeSpec& spec, StageClock& cloc
   const auto make = [&] {
     const horizon::HorizonTables& baked = bake(spec, clock);
     return clock.measure("tables", [&](const Progress&) {
-      return std::make_shared<const render::GpuAngles>(
-          horizon::horizonAngles(baked, spec.angleLimit, texelsPerHeight_), spec.bits);
+      return render::GpuAngles(horizon::horizonAngles(baked, spec.angleLimit, texelsPerHeight_),
+                               spec.bits);
     });
   };
-  held = store_.get<render::GpuAngles>(
-      key, make, [](const render::GpuAngles& angles) { return angles.byteCount(); });
-  return *held;
+  own = cache_.share(key, make, &render::GpuAngles::byteCount);
+  return *own;
 }
 
 const render::GpuAngles& TableSet::surfaceAngles(const BakeSpec& spec, const MeshChoice& mesh,
                                                  const HorizonShooter& shoot) {
   const cache::ContentKey settings = settingsKey(spec, Enters::shotAngles | Enters::codes);
-  std::shared_ptr<const render::GpuAngles>& held = surfaceAngles_[{mesh, settings}];
-  if (held) return *held;
+  std::shared_ptr<const render::GpuAngles>& own = surfaceAngles_[{mesh, settings}];
+  if (own) return *own;
   const cache::ContentKey shot = keys_.surfaceAngles(mesh, spec);
   const cache::ContentKey key =
       cache::KeyBuilder("surface angles").add("shot", shot).add("settings", settings).key();
-  held = store_.get<render::GpuAngles>(
-      key,
-      [&] {
-        return std::make_shared<const render::GpuAngles>(cache_.remember(shot, shoot), spec.bits);
-      },
-      [](const render::GpuAngles& angles) { return angles.byteCount(); });
-  return *held;
+  own = cache_.share(
+      key, [&] { return render::GpuAngles(cache_.remember(shot, shoot), spec.bits); },
+      &render::GpuAngles::byteCount);
+  return *own;
 }
 
 const render::GpuTable& TableSet::ellipses(const BakeSpec& spec, StageClock& clock) {
@@ -136,54 +129,48 @@ const render::GpuTable& TableSet::ellipses(const BakeSpec& spec, StageClock& clo
 namespace {
 
 std::shared_ptr<const surface::LimitSurface> limitSurface(const StudySpec& study,
-                                                          SceneStore& store) {
-  const auto bytes = [&](const surface::LimitSurface& surface) {
-    constexpr std::uint64_t bytesPerFace = 1000;  // about
-    return bytesPerFace * static_cast<std::uint64_t>(surface.faceCount());
-  };
-  return store.get<surface::LimitSurface>(
-      surfaceKey(study), [&] { return std::make_shared<const surface::LimitSurface>(study.cage); },
-      bytes);
+                                                          cache::Cache& cache) {
+  return cache.share(
+      surfaceKey(study), [&] { return surface::LimitSurface(study.cage); },
+      [](const surface::LimitSurface& surface) {
+        constexpr std::uint64_t bytesPerFace = 1000;  // about
+        return bytesPerFace * static_cast<std::uint64_t>(surface.faceCount());
+      });
 }
 
 std::shared_ptr<const surface::TextureLayout> textureLayout(const StudySpec& study,
                                                             const surface::LimitSurface& surface,
-                                                            SceneStore& store) {
-  return store.get<surface::TextureLayout>(
-      surfaceKey(study),
-      [&] {
-        return std::make_shared<const surface::TextureLayout>(surface::textureLayout(surface));
-      },
+                                                            cache::Cache& cache) {
+  return cache.share(
+      surfaceKey(study), [&] { return surface::textureLayout(surface); },
       [](const surface::TextureLayout& layout) { return sizeof(int) * layout.charts.size(); });
 }
 
 }  // namespace
 
 RunScene::RunScene(const StudySpec& of, StageClock& stageClock, const render::GlContext& gl,
-                   cache::Cache& kept, SceneStore& held)
+                   cache::Cache& kept)
     : study(of),
       clock(stageClock),
       cache(kept),
-      store(held),
       shaders(render::shaderFolder()),
       keys(of, gl, shaders),
-      heldSurface(
-          clock.measure("surface", [&](const Progress&) { return limitSurface(of, store); })),
-      surface(*heldSurface),
+      ownedSurface(
+          clock.measure("surface", [&](const Progress&) { return limitSurface(of, cache); })),
+      surface(*ownedSurface),
       layout(clock.measure("surface",
-                           [&](const Progress&) { return textureLayout(of, surface, store); })),
+                           [&](const Progress&) { return textureLayout(of, surface, cache); })),
       texelsPerHeight(horizon::texelsPerHeight(
           of.relief.space, horizon::texelScale(surface, of.relief.texelsPerUv()))),
       heights(of.relief.field),
-      tables(of.relief.field, texelsPerHeight, cache, store, keys) {}
+      tables(of.relief.field, texelsPerHeight, cache, keys) {}
 
 BaseCase& RunScene::base(MeshChoice choice) {
   const auto found = bases.find(choice);
   if (found != bases.end()) return found->second;
   return clock.measure("samples", [&](const Progress&) -> BaseCase& {
     return bases
-        .emplace(choice,
-                 makeBaseCase(study, surface, choice, {shaders, cache, store, keys, *layout}))
+        .emplace(choice, makeBaseCase(study, surface, choice, {shaders, cache, keys, *layout}))
         .first->second;
   });
 }
@@ -193,7 +180,7 @@ const DrawnBase& RunScene::mesh(MeshChoice choice) {
   if (base != bases.end()) return *base->second.drawn.get();
   auto found = lightMeshes.find(choice);
   if (found == lightMeshes.end()) {
-    auto made = drawnOnDemand(study, surface, choice, {shaders, cache, store, keys, *layout});
+    auto made = drawnOnDemand(study, surface, choice, {shaders, cache, keys, *layout});
     found = lightMeshes.emplace(choice, std::move(made)).first;
   }
   return clock.measure("samples",
@@ -224,14 +211,13 @@ std::shared_ptr<const FieldPoints> RunScene::fieldPoints(const BaseCase& on,
                                                          std::size_t view) const {
   const surface::SampleGrid& samples = on.views[view].samples;
   const std::uint64_t bytes = sizeof(FieldPoint) * samples.samples.size();
-  if (!store.canHold(bytes)) return nullptr;
-  return store.get<FieldPoints>(
+  if (!cache.canShare(bytes)) return nullptr;
+  return cache.share(
       keys.samples(on.choice, view),
       [&] {
-        return std::make_shared<const FieldPoints>(
-            makeFieldPoints(surface, study.views[view].kind, on.views[view].view, samples));
+        return makeFieldPoints(surface, study.views[view].kind, on.views[view].view, samples);
       },
-      [&](const FieldPoints&) { return bytes; });
+      bytes);
 }
 
 std::shared_ptr<const compare::LightField> RunScene::lightField(const BaseCase& on,
@@ -253,21 +239,76 @@ SampleBins RunScene::bins(const BaseCase& on, std::size_t view, std::size_t ligh
   const surface::SampleGrid& samples = on.views[view].samples;
   const Vec3 toLight = study.lights[light].direction;
   const std::uint64_t bytes = sizeof(AxisPlace) * samples.samples.size();
-  const bool isHeld = store.canHold(bytes);
+  const bool isShared = cache.canShare(bytes);
   const auto fromPlaces = [&] {
-    const auto places = store.get<AxisPlaces>(
-        keys.samples(on.choice, view),
-        [&] {
-          return std::make_shared<const AxisPlaces>(axisPlaces(surface, study.relief, samples));
-        },
-        [&](const AxisPlaces&) { return bytes; });
+    const auto places = cache.share(
+        keys.samples(on.choice, view), [&] { return axisPlaces(surface, study.relief, samples); },
+        bytes);
     return binSamples(samples, *places, toLight);
   };
   // With the places of the case before it takes less than to keep them.
-  if (isHeld && store.expectsCases()) return fromPlaces();
+  if (isShared && cache.expectsCases()) return fromPlaces();
   return cache.remember(keys.bins(on.choice, view, light), [&] {
-    return isHeld && study.lights.size() > 1 ? fromPlaces()
-                                             : binSamples(surface, study.relief, samples, toLight);
+    return isShared && study.lights.size() > 1
+               ? fromPlaces()
+               : binSamples(surface, study.relief, samples, toLight);
+  });
+}
+
+namespace {
+
+std::uint64_t bytesOfAll(const std::vector<render::GpuBake>& bakes) {
+  return std::accumulate(
+      bakes.begin(), bakes.end(), std::uint64_t{0},
+      [](std::uint64_t sum, const auto& bake) { return sum + bake.byteCount(); });
+}
+
+/// Whether bakes are small enough to be kept on disk.
+bool areKept(const render::Method& method, glm::ivec2 map) {
+  constexpr double mostBytes = 5e8;
+  double bytes = 0;
+  for (const render::MethodBake& bake : method.bakes) {
+    bytes += static_cast<double>(render::bytesOver(bake, map));
+  }
+  return bytes <= mostBytes;
+}
+
+/// The functions that bake, compiled once for all cases.
+std::shared_ptr<const render::BakePass> compiledPass(RunScene& scene, const MethodSpec& spec,
+                                                     const render::Method& method) {
+  return scene.cache.share(
+      scene.keys.program(spec, method),
+      [&] {
+        return render::BakePass(scene.shaders, method, scene.study.relief.field.wrap(), spec.filter,
+                                spec.parameters, !isBuiltIn(spec) && render::hasLoops(method));
+      },
+      programBytes);
+}
+
+}  // namespace
+
+std::shared_ptr<const std::vector<render::GpuBake>> methodBakes(RunScene& scene,
+                                                                const MethodSpec& spec,
+                                                                const render::Method& method,
+                                                                const render::GpuTables& tables) {
+  if (method.bakes.empty()) return nullptr;
+  render::requireBakeSizes(method, scene.heights.size());
+  const relief::Relief& relief = scene.study.relief;
+  const render::BakeScene from{scene.heights, relief.field.wrap(), relief.space,
+                               scene.texelsPerHeight};
+  return scene.clock.measure("bake", [&](const Progress& progress) {
+    const auto pass = compiledPass(scene, spec, method);
+    const cache::ContentKey key =
+        scene.keys.methodBakes(spec, method, pass->parameters(), scene.texelsPerHeight);
+    const auto bake = [&] { return pass->bake(from, tables, progress); };
+    return scene.cache.share(
+        key,
+        [&] {
+          const auto stored =
+              areKept(method, scene.heights.size()) ? scene.cache.remember(key, bake) : bake();
+          return render::gpuBakes(method, stored, from);
+        },
+        bytesOfAll);
   });
 }
 

@@ -1,28 +1,33 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
-#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "cache/cache.h"
 #include "horizon/horizon_bake.h"
+#include "render/bakes/method_bake.h"
 #include "render/gpu_scene.h"
+#include "render/method.h"
 #include "render/passes/method_pass.h"
+#include "render/passes/method_program.h"
 #include "study/run/scene/base_case.h"
 #include "study/run/scene/environment.h"
 #include "study/run/scene/run_keys.h"
-#include "study/run/scene/sample_axes.h"
-#include "study/run/scene/scene_store.h"
-#include "study/run/scene/view_map.h"
+#include "study/run/scene/view_samples.h"
 #include "study/spec/study_file.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 #include "surface/texture_layout.h"
 
 namespace gnomon::study {
+
+/// What a compiled shader takes in the driver, about.
+constexpr std::uint64_t programBytes = 1 << 20;
 
 /// The horizon and distance table of one bake on the GPU, in the bits of one method.
 struct TablePair {
@@ -38,14 +43,10 @@ using HorizonShooter = std::function<horizon::AngleTable()>;
 class TableSet {
  public:
   /// All must outlive it.
-  /// @param texelsPerHeight  of the frame of angles (texel_scale.h)
+  /// @param texelsPerHeight  of the frame of angles (angle_table.h)
   TableSet(const relief::HeightField& field, double texelsPerHeight, cache::Cache& cache,
-           SceneStore& store, const RunKeys& keys)
-      : field_(field),
-        texelsPerHeight_(texelsPerHeight),
-        cache_(cache),
-        store_(store),
-        keys_(keys) {}
+           const RunKeys& keys)
+      : field_(field), texelsPerHeight_(texelsPerHeight), cache_(cache), keys_(keys) {}
 
   /// @param clock  of the stages "bake" and "tables"
   const TablePair& tables(const BakeSpec& spec, StageClock& clock);
@@ -64,7 +65,6 @@ class TableSet {
   const relief::HeightField& field_;
   double texelsPerHeight_;
   cache::Cache& cache_;
-  SceneStore& store_;
   const RunKeys& keys_;
   // By the settings that enter each, see settingsKey.
   std::map<cache::ContentKey, std::shared_ptr<const horizon::HorizonTables>> bakes_;
@@ -75,7 +75,7 @@ class TableSet {
       surfaceAngles_;
 };
 
-/// Whether a bake is small enough to be held as a whole, and to be kept.
+/// Whether a bake is small enough to stay in memory as a whole, and to be kept on disk.
 bool keepsHorizons(const relief::HeightField& field, const horizon::BakeSettings& settings);
 
 /// bakeHorizons, or what the cache has of it. The cache has none that is baked in 0.05 s.
@@ -87,21 +87,19 @@ horizon::HorizonTables keptHorizons(cache::Cache& cache, const relief::HeightFie
 /// for; references stay valid while the scene lives.
 struct RunScene {
   /// @param clock  of the stages "surface", "samples", "bake" and "tables"; outlives the scene
-  /// @param kept   results of earlier runs; outlives the scene
-  /// @param held   what earlier scenes of this process left in memory; likewise
+  /// @param kept   what earlier runs and scenes left; outlives the scene
   RunScene(const StudySpec& of, StageClock& stageClock, const render::GlContext& gl,
-           cache::Cache& kept, SceneStore& held);
+           cache::Cache& kept);
 
   const StudySpec& study;
   StageClock& clock;
   cache::Cache& cache;
-  SceneStore& store;
   std::filesystem::path shaders;
   RunKeys keys;
-  std::shared_ptr<const surface::LimitSurface> heldSurface;
+  std::shared_ptr<const surface::LimitSurface> ownedSurface;
   const surface::LimitSurface& surface;
   std::shared_ptr<const surface::TextureLayout> layout;  ///< of the surface
-  double texelsPerHeight;                                ///< of the frame of angles (texel_scale.h)
+  double texelsPerHeight;                                ///< of the frame of angles (angle_table.h)
   render::GpuHeights heights;
   TableSet tables;
   std::map<MeshChoice, BaseCase> bases;
@@ -139,5 +137,14 @@ struct RunScene {
   };
   LastField last_;
 };
+
+/// The tables that a method bakes by its own functions: what the cache has of them, else baked,
+/// as part of the stage "bake". Null for a method without any.
+/// @param tables  those that the method declares in addition to them
+/// @throws InputError as render::BakePass
+std::shared_ptr<const std::vector<render::GpuBake>> methodBakes(RunScene& scene,
+                                                                const MethodSpec& spec,
+                                                                const render::Method& method,
+                                                                const render::GpuTables& tables);
 
 }  // namespace gnomon::study

@@ -5,19 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <memory>
 #include <optional>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "common/error.h"
+#include "compare/answer_metrics.h"
 #include "compare/boundaries.h"
-#include "compare/share_metrics.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/spec/method_replacement.h"
-#include "truth/shadow_tracer.h"
+#include "study/spec/method_changes.h"
 #include "truth/surface_paths.h"
 #include "truth/visibility_tracer.h"
 
@@ -43,17 +38,17 @@ std::shared_ptr<const truth::PlacedSamples> placesOf(RunScene& scene, const Trac
   const surface::SampleGrid& samples = base.views[view].samples;
   const std::uint64_t bytes =
       (sizeof(truth::RayStart) + sizeof(truth::TexelAxes)) * samples.samples.size();
-  if (!scene.store.expectsCases() || !scene.store.canHold(bytes)) return nullptr;
-  return scene.store.get<truth::PlacedSamples>(
+  if (!scene.cache.expectsCases() || !scene.cache.canShare(bytes)) return nullptr;
+  return scene.cache.share(
       cache::KeyBuilder("places")
           .add("surface", key)
           .add("samples", scene.keys.samples(base.choice, view))
           .key(),
       [&] {
-        return std::make_shared<const truth::PlacedSamples>(truth::placeSamples(
-            scene.surface, scene.study.relief.texelsPerUv(), surface.mesh, samples, progress));
+        return truth::placeSamples(scene.surface, scene.study.relief.texelsPerUv(), surface.mesh,
+                                   samples, progress);
       },
-      [&](const truth::PlacedSamples&) { return bytes; });
+      bytes);
 }
 
 /// All lights, one truth each.
@@ -157,10 +152,9 @@ std::vector<truth::TraceSettings> some(const std::vector<truth::TraceSettings>& 
 }
 
 std::shared_ptr<const truth::SurfacePaths> surfacePaths(RunScene& scene) {
-  return scene.store.get<truth::SurfacePaths>(
-      surfaceKey(scene.study),
-      [&] { return std::make_shared<const truth::SurfacePaths>(scene.surface); },
-      [](const truth::SurfacePaths& paths) { return paths.byteCount(); });
+  return scene.cache.share(
+      surfaceKey(scene.study), [&] { return truth::SurfacePaths(scene.surface); },
+      &truth::SurfacePaths::byteCount);
 }
 
 /// With all their regions. Under some of the lights, together: they share the samples' places.
@@ -270,21 +264,21 @@ const TracedSurface& SurfaceOnDemand::get() {
   return *surface_;
 }
 
-std::shared_ptr<const TracedSurface> heldSurface(
-    RunScene& scene, const cache::ContentKey& key,
-    const std::function<std::shared_ptr<const TracedSurface>()>& make) {
+std::shared_ptr<const TracedSurface> tracedSurface(RunScene& scene, const cache::ContentKey& key,
+                                                   const std::function<TracedSurface()>& make) {
   // A study alone asks for each once, and has room for one at a time.
-  if (!scene.store.expectsCases()) return make();
-  return scene.store.get<TracedSurface>(key, make, [](const TracedSurface& surface) {
+  if (!scene.cache.expectsCases()) {
+    return std::shared_ptr<const TracedSurface>(new TracedSurface(make()));
+  }
+  return scene.cache.share(key, make, [](const TracedSurface& surface) {
     return surface.scene.byteCount() + surface.mesh.coordinates().size_bytes();
   });
 }
 
 SurfaceOnDemand truthSurface(RunScene& scene) {
   return SurfaceOnDemand([&scene] {
-    return heldSurface(scene, scene.keys.surface(), [&scene] {
-      return std::make_shared<const TracedSurface>(scene, scene.study.truth.ofMesh(), "micro-mesh",
-                                                   "hierarchy");
+    return tracedSurface(scene, scene.keys.surface(), [&scene] {
+      return TracedSurface(scene, scene.study.truth.ofMesh(), "micro-mesh", "hierarchy");
     });
   });
 }
@@ -342,9 +336,8 @@ void traceUncertainty(RunScene& scene, TruthRecord& truth,
                                     .add("step", truth.askedStepTexels)
                                     .key();
   SurfaceOnDemand half([&] {
-    return heldSurface(scene, key, [&] {
-      return std::make_shared<const TracedSurface>(scene, twice, "uncertainty", "uncertainty");
-    });
+    return tracedSurface(scene, key,
+                         [&] { return TracedSurface(scene, twice, "uncertainty", "uncertainty"); });
   });
   const StudySpec& study = scene.study;
   for (std::size_t v = 0; v < study.views.size(); ++v) {

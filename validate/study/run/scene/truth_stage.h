@@ -38,7 +38,7 @@ class SurfaceOnDemand {
   explicit SurfaceOnDemand(Maker make);
 
   const TracedSurface& get();
-  /// Frees its memory, unless the store keeps it; `get` builds it again.
+  /// Frees its memory, unless the cache keeps it; `get` builds it again.
   void release() { surface_.reset(); }
 
  private:
@@ -46,11 +46,10 @@ class SurfaceOnDemand {
   std::shared_ptr<const TracedSurface> surface_;
 };
 
-/// The surface of a key: what the store holds of it, or what `make()` returns, which it keeps where
+/// The surface of a key: what the cache has of it, or what `make()` returns, which is shared where
 /// more cases may follow.
-std::shared_ptr<const TracedSurface> heldSurface(
-    RunScene& scene, const cache::ContentKey& key,
-    const std::function<std::shared_ptr<const TracedSurface>()>& make);
+std::shared_ptr<const TracedSurface> tracedSurface(RunScene& scene, const cache::ContentKey& key,
+                                                   const std::function<TracedSurface()>& make);
 
 /// The surface that a study's truth is traced on, at the study's step.
 /// @param scene  outlives it

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,7 +14,7 @@
 #include "study/run/scene/method_case.h"
 #include "study/run/scene/method_outcome.h"
 #include "study/run/scene/run_scene.h"
-#include "study/run/stages/confidence.h"
+#include "study/run/stages/run_writer.h"
 #include "study/spec/study_file.h"
 #include "truth/shadow_tracer.h"
 
@@ -42,7 +43,7 @@ StateErrors stateErrors(const Mask& mask, const truth::Truth& truth,
 StateErrors stateErrors(const Visibility& map, const truth::Truth& truth,
                         const std::vector<double>& weights, const compare::Tiling& tiling);
 
-/// What a budget is made of, beside the errors of its states.
+/// What a budget is made of, apart from the errors of its states.
 struct BudgetCase {
   std::string view;
   std::string light;
@@ -64,31 +65,50 @@ BudgetRecord attributeError(const LadderSpec& ladder, const BudgetCase& which,
 /// How much of the error is another cause's in the other order: ½ Σ |forward - backward|.
 double orderDependence(const BudgetRecord& budget);
 
-/// Collects the errors of all methods in one view: block by block, for confidence intervals, and in
-/// the bins of every axis.
-class SpreadStage {
+/// Runs the states of a study's ladders, each a real method with its real bake, along with the
+/// study's methods, and attributes the errors. A state that several ladders share is run once.
+class LadderStage {
  public:
-  /// @param methods  of the study; they outlive the stage
-  SpreadStage(RunScene& scene, std::span<const MethodCase> methods, std::size_t view);
+  /// Prepares all states. Without a ladder there is nothing to do, here or later.
+  /// @param surface  for tables that are shot on it; outlives the stage
+  /// @param writer   gets the masks of the states
+  /// @throws InputError as prepareMethod, or for a state that has no answer in an atlas
+  LadderStage(RunScene& scene, SurfaceOnDemand& surface, RunWriter& writer);
 
-  /// The side of the cells that errors are summed in, samples.
-  [[nodiscard]] int cellSide() const { return errors_.tiling.cellSide; }
+  /// For tables that are shot on the displaced surface.
+  [[nodiscard]] std::span<MethodCase> states() { return states_; }
+  /// The view whose errors are attributed: the first atlas; none without a ladder.
+  [[nodiscard]] std::optional<std::size_t> view() const { return view_; }
 
-  /// Adds a method's outcome under the next of the study's lights.
-  /// @param method  its place in the study; one that answers in the view
-  void add(std::size_t method, const MethodOutcome& outcome);
+  /// Measures all states under one light.
+  /// @param answers  of the study's methods in that view and light
+  /// @throws InputError for a ladder whose first state is not its method
+  void measure(std::size_t light, const std::vector<std::optional<CaseAnswers>>& answers);
 
-  /// Appends confidence, differences and bins of the view, all lights measured.
-  void report(StudyRecord& record) const;
+  /// A budget a ladder: of all lights together if there are several, then of each.
+  /// @param truth  its flip rates
+  [[nodiscard]] std::vector<BudgetRecord> attribute(const TruthRecord& truth) const;
 
  private:
-  [[nodiscard]] std::vector<BinRecord> bins() const;
+  void addState(const MethodSpec& spec, SurfaceOnDemand& surface, const std::string& method);
+  [[nodiscard]] std::size_t stateOf(const MethodSpec& spec) const;
+  void requireStarts(std::size_t state, const CaseAnswers& found,
+                     const std::vector<std::optional<CaseAnswers>>& answers) const;
+  [[nodiscard]] std::string maskName(std::size_t state, std::size_t light) const;
+  [[nodiscard]] std::vector<StateErrors> errorsAlong(const std::vector<MethodSpec>& way,
+                                                     std::span<const std::size_t> lights) const;
+  [[nodiscard]] double uncertaintyOf(const TruthRecord& truth,
+                                     std::span<const std::size_t> lights) const;
+  [[nodiscard]] BudgetRecord attribute(const LadderSpec& ladder, const std::string& name,
+                                       std::span<const std::size_t> lights,
+                                       const TruthRecord& truth) const;
 
   RunScene& scene_;
-  ViewErrors errors_;
-  std::vector<std::size_t> answering_;  ///< which methods those of `errors_` are
-  /// [method of errors_][axis][bin], lights summed
-  std::vector<std::vector<std::vector<compare::Counts>>> counts_;
+  RunWriter& writer_;
+  std::optional<std::size_t> view_;
+  compare::Tiling tiling_;                        ///< of that view
+  std::vector<MethodCase> states_;                ///< of all ladders, without repetition
+  std::vector<std::vector<StateErrors>> errors_;  ///< [light][state]
 };
 
 }  // namespace gnomon::study

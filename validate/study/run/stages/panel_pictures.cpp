@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
-#include "common/alongside.h"
 #include "common/lists.h"
+#include "common/parallel.h"
 #include "image/images.h"
 #include "render/passes/drawing.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/run/stages/truth_pictures.h"
 
 namespace gnomon::study {
 
@@ -137,13 +135,10 @@ RgbPixels PanelPictures::shade(std::size_t view, std::size_t light, const BaseCa
                                Shade everywhere) {
   return scene_.clock.measure("pictures", [&](const Progress&) {
     const render::DrawnMesh kind = base.choice.kind;
-    const auto pass = scene_.store.get<render::ShadePass>(
+    const auto pass = scene_.cache.share(
         scene_.keys.shading(kind),
-        [&] {
-          return std::make_shared<const render::ShadePass>(scene_.shaders,
-                                                           scene_.study.relief.field.wrap(), kind);
-        },
-        [](const render::ShadePass&) { return programBytes; });
+        [&] { return render::ShadePass(scene_.shaders, scene_.study.relief.field.wrap(), kind); },
+        programBytes);
     const render::RenderView& seen = base.views[view].view;
     const auto pixels =
         static_cast<std::size_t>(seen.width) * static_cast<std::size_t>(seen.height);
@@ -154,9 +149,9 @@ RgbPixels PanelPictures::shade(std::size_t view, std::size_t light, const BaseCa
 
 std::shared_ptr<const RgbPixels> PanelPictures::dark(std::size_t view, std::size_t light,
                                                      const BaseCase& base) {
-  return scene_.store.get<RgbPixels>(
+  return scene_.cache.share(
       scene_.keys.dark(base.choice, view),
-      [&] { return std::make_shared<const RgbPixels>(shade(view, light, base, Shade::shadowed)); },
+      [&] { return shade(view, light, base, Shade::shadowed); },
       [](const RgbPixels& rgb) { return rgb.size(); });
 }
 
@@ -175,17 +170,15 @@ void PanelPictures::queueLayers(std::size_t view, std::size_t light, const BaseC
   std::vector<EncodingQueue::Work> encodings = {
       [embed, &mesh, &colours] { mesh.layers.lit = embed(colours.lit); }};
   const cache::ContentKey darkKey = scene_.keys.dark(base.choice, view);
-  const auto held = scene_.store.held<std::string>(darkKey);
-  if (held) {
-    mesh.layers.dark = *held;
+  if (const auto dark = scene_.cache.shared<std::string>(darkKey)) {
+    mesh.layers.dark = *dark;
   } else {
     encodings.emplace_back([embed, &mesh, &colours] { mesh.layers.dark = embed(*colours.dark); });
   }
   output_.queue.add(std::move(encodings), [this, key, darkKey, &mesh] {
     scene_.cache.keep(key, mesh.layers);
-    scene_.store.get<std::string>(
-        darkKey, [&] { return std::make_shared<const std::string>(mesh.layers.dark); },
-        [](const std::string& bytes) { return bytes.size(); });
+    scene_.cache.share(
+        darkKey, [&] { return mesh.layers.dark; }, mesh.layers.dark.size());
   });
 }
 

@@ -6,18 +6,18 @@
 
 namespace gnomon::study {
 
-void EncodingQueue::add(std::vector<Work> encodings, Work then, std::size_t heldBytes) {
+void EncodingQueue::add(std::vector<Work> encodings, Work then, std::size_t waitingBytes) {
   for (Work& encoding : encodings) encodings_.push_back(std::move(encoding));
   after_.push_back(std::move(then));
-  heldBytes_ += heldBytes;
+  waitingBytes_ += waitingBytes;
   constexpr std::size_t mostBytes = 100'000'000;
-  if (heldBytes_ > mostBytes) finish();
+  if (waitingBytes_ > mostBytes) finish();
 }
 
 void EncodingQueue::finish() {
   const std::vector<Work> encodings = std::exchange(encodings_, {});
   const std::vector<Work> after = std::exchange(after_, {});
-  heldBytes_ = 0;
+  waitingBytes_ = 0;
   if (after.empty()) return;
   clock_.measure("writing", [&](const Progress&) {
     parallelFor(0, encodings.size(), [&](std::size_t i) { encodings[i](); });

@@ -11,7 +11,7 @@
 #include "common/mask.h"
 #include "study/run/scene/environment.h"
 #include "study/run/scene/run_scene.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 #include "truth/shadow_tracer.h"
 
 namespace gnomon::study {
@@ -56,7 +56,7 @@ class RunWriter {
   /// @param path   relative to the run's folder
   /// @param bytes  of one of the above but `embedded`
   virtual void write(const std::string& path, const std::string& bytes) = 0;
-  /// Called before times are measured: what goes on beside the run, earlier reports being written,
+  /// Called before times are measured: what goes on during the run, earlier reports being written,
   /// has ended when it returns.
   virtual void beQuiet() {}
 };
@@ -73,15 +73,15 @@ class EncodingQueue {
   /// @param encodings  called at any time until `finish` returns, each on any thread: what they
   ///                   refer to stays till then
   /// @param then       called after them on the thread that owns the queue, in the order of `add`
-  /// @param heldBytes  that they hold while they wait: those of too many do not
-  void add(std::vector<Work> encodings, Work then, std::size_t heldBytes = 0);
+  /// @param waitingBytes  that they hold while they wait: those of too many do not
+  void add(std::vector<Work> encodings, Work then, std::size_t waitingBytes = 0);
   /// Does all that waits.
   void finish();
 
  private:
   StageClock& clock_;
   std::vector<Work> encodings_, after_;
-  std::size_t heldBytes_ = 0;
+  std::size_t waitingBytes_ = 0;
 };
 
 /// What all pictures of a run share: what they show, and where they go.

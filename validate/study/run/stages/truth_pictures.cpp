@@ -5,9 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "study/run/scene/cached_fields.h"
 #include "study/run/stages/panel_pictures.h"
@@ -180,16 +177,12 @@ std::vector<float> DisplacedPictures::trace(std::size_t view, std::size_t light,
                                             const Camera& camera, const TracedSurface& traced) {
   RunScene& scene = output_.scene;
   return scene.clock.measure("displaced picture", [&](const Progress& progress) {
-    const auto bytes = [](const truth::SeenSurface& seen) {
-      return sizeof(truth::SeenSurface::Point) * seen.points.size();
-    };
-    const auto seen = scene.store.get<truth::SeenSurface>(
+    const auto seen = scene.cache.share(
         scene.keys.seenSurface(view),
-        [&] {
-          return std::make_shared<const truth::SeenSurface>(
-              truth::seenSurface(traced.mesh, traced.scene, camera, progress));
-        },
-        bytes);
+        [&] { return truth::seenSurface(traced.mesh, traced.scene, camera, progress); },
+        [](const truth::SeenSurface& surface) {
+          return sizeof(truth::SeenSurface::Point) * surface.points.size();
+        });
     return truth::displacedPicture(*seen, traced.scene, scene.study.lights[light].direction,
                                    progress);
   });

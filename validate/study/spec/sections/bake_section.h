@@ -1,7 +1,6 @@
 #pragma once
 
 #include <compare>
-#include <optional>
 
 #include "common/vec.h"
 #include "horizon/horizon_bake.h"

@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <string_view>
 
 #include "common/error.h"
-#include "render/method.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
+#include "study/spec/study_file.h"
 
 namespace gnomon::study {
 namespace fs = std::filesystem;
@@ -59,7 +61,7 @@ void readParameters(const TomlReader& section, const render::Method& declared, M
 MethodSpec readGivenMethod(const TomlReader& section, const MethodDefaults& defaults) {
   section.allow({"label", "masks"});
   MethodSpec method;
-  method.masks = defaults.folder / pathOf(section.text("masks"));
+  method.masks = defaults.folder / fileOf(section.text("masks"));
   method.masksKey = section.placeOf("masks");
   method.bake = defaults.bake;
   method.base = defaults.base;
@@ -130,13 +132,14 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
 
 toml::table tableOf(const MethodSpec& method, const fs::path& folder, int resample) {
   if (method.isGiven()) {
-    return toml::table{{"label", method.label}, {"masks", pathFrom(method.maskFolder(), folder)}};
+    return toml::table{{"label", method.label},
+                       {"masks", relativeFile(method.maskFolder(), folder)}};
   }
   toml::table table = settingsOf(method);
   if (isBuiltIn(method)) {
     table.insert("name", method.file.stem().string());
   } else {
-    table.insert("file", pathFrom(method.file, folder));
+    table.insert("file", relativeFile(method.file, folder));
   }
   table.insert("bake", settingsOf(method.bake, resample));
   table.insert("base", settingsOf(method.base));
@@ -176,6 +179,70 @@ bool isSameMethod(const MethodSpec& a, const MethodSpec& b) {
     return key.key();
   };
   return keyOf(a) == keyOf(b);
+}
+
+namespace {
+
+std::string maskName(const fs::path& file) {
+  constexpr std::string_view ending = "_truth";
+  const std::string stem = file.stem().string();
+  return stem.ends_with(ending) ? stem.substr(0, stem.size() - ending.size()) : stem;
+}
+
+/// What file managers leave in a folder of pictures, apart from hidden files, in either case.
+bool isOfFileManager(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return name.starts_with('.') || name == "thumbs.db" || name == "ehthumbs.db" ||
+         name == "desktop.ini" || name == "icon\r";
+}
+
+}  // namespace
+
+std::map<std::string, fs::path> masksIn(const fs::path& folder) {
+  std::map<std::string, fs::path> masks;
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
+    const fs::path& file = entry.path();
+    if (!entry.is_regular_file() || isOfFileManager(file.filename().string())) continue;
+    const auto [other, isNew] = masks.emplace(maskName(file), file);
+    if (isNew) continue;
+    const auto [first, second] = std::minmax(other->second, file);
+    throw InputError(fmt::format("{}: {} found beside it, one mask of that name expected",
+                                 first.string(), second.filename().string()));
+  }
+  if (failure) {
+    throw InputError(
+        fmt::format("{}: {}, a folder of masks expected", folder.string(), failure.message()));
+  }
+  return masks;
+}
+
+std::vector<GivenMaskFile> givenMaskFiles(const StudySpec& study, const MethodSpec& method) {
+  std::vector<GivenMaskFile> masks;
+  if (!method.isGiven()) return masks;
+  const std::string key = method.masksKey.empty() ? "" : method.masksKey + ": ";
+  std::map<std::string, fs::path> files;
+  try {
+    files = masksIn(method.maskFolder());
+  } catch (const InputError& error) {
+    throw InputError(key + error.what());
+  }
+  const CaseNames names = caseNames(study);
+  for (std::size_t v = 0; v < study.views.size(); ++v) {
+    for (std::size_t l = 0; l < study.lights.size(); ++l) {
+      const std::string name = fmt::format("{}_{}", names.views[v], names.lights[l]);
+      const auto file = files.find(name);
+      if (file == files.end()) {
+        throw InputError(fmt::format(
+            "{}{}: missing, the mask of method \"{}\" in view \"{}\" under light \"{}\" expected",
+            key, (method.maskFolder() / (name + ".png")).string(), method.label,
+            study.views[v].name, study.lights[l].name));
+      }
+      masks.push_back({v, l, file->second});
+    }
+  }
+  return masks;
 }
 
 }  // namespace gnomon::study

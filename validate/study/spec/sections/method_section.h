@@ -1,16 +1,20 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "render/method.h"
 #include "render/passes/method_pass.h"
 #include "study/spec/sections/bake_section.h"
 #include "study/spec/sections/study_key.h"
-#include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
+
+struct StudySpec;
 
 /// What follows the name of a method with `disc = true`, in its label.
 constexpr const char* discLabel = " + disc";
@@ -23,7 +27,7 @@ struct MethodSpec {
   BaseSpec base = {};               ///< of the mesh that it draws
   render::TableFilter filter = render::TableFilter::exact;
   std::map<std::string, double> parameters = {};
-  /// Whether its horizon is held against the light's disc by the closed form, where it has one.
+  /// Whether its horizon is compared with the light's disc by the closed form, where it has one.
   bool disc = false;
   /// The folder with the masks that another program drew; empty for a method that runs here.
   std::filesystem::path masks = {};
@@ -108,5 +112,23 @@ bool isBuiltIn(const MethodSpec& method);
 
 /// Whether two entries ask for the same masks, whatever their labels.
 bool isSameMethod(const MethodSpec& a, const MethodSpec& b);
+
+/// The masks of a folder by their names: the file's without its extension, and without the `_truth`
+/// that an export gives the truth's. Folders, hidden files, and what file managers leave
+/// (`Thumbs.db`, `desktop.ini`) are not looked at.
+/// @throws InputError for a folder that cannot be read, or two files of one name
+std::map<std::string, std::filesystem::path> masksIn(const std::filesystem::path& folder);
+
+/// A mask of a method that another program drew.
+struct GivenMaskFile {
+  std::size_t view = 0, light = 0;  ///< places in the study
+  std::filesystem::path path;
+};
+
+/// The masks of a method, one a view and light, the lights of the first view first: those of its
+/// folder that are named VIEW_LIGHT, as an export names the truth's. Nothing for a method that runs
+/// here.
+/// @throws InputError as masksIn, and for a mask that is missing
+std::vector<GivenMaskFile> givenMaskFiles(const StudySpec& study, const MethodSpec& method);
 
 }  // namespace gnomon::study

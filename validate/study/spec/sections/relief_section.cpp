@@ -2,11 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <limits>
-
-#include "relief/height_image.h"
-#include "relief/solid.h"
-#include "study/spec/sections/study_paths.h"
+#include "relief/height_field.h"
+#include "study/spec/sections/study_files.h"
 
 namespace gnomon::study {
 namespace {
@@ -33,19 +30,6 @@ relief::HeightField heightsOf(const PatternMap& map, const ReliefSection& relief
                    return relief::makeScratches(width, height, pattern, relief.height, relief.wrap);
                  }},
       map.pattern);
-}
-
-relief::HeightField heightsOf(const SolidMap& map, const ReliefSection& relief,
-                              const surface::Cage& cage) {
-  return relief::makeSolidMap(surface::LimitSurface(cage), map.texels.x, map.texels.y,
-                              relief::solidFunction(map.solid), relief.height, relief.wrap);
-}
-
-relief::HeightField heightsOf(const ProjectedMap& map, relief::HeightField image,
-                              const ReliefSection& relief, const surface::Cage& cage) {
-  return relief::makeSolidMap(surface::LimitSurface(cage), map.texels.x, map.texels.y,
-                              relief::triplanar(std::move(image), map.period), relief.height,
-                              relief.wrap);
 }
 
 void requireOneRepeat(const TomlReader& section, const ReliefSection& relief) {
@@ -122,7 +106,8 @@ std::optional<std::string> heightsFault(const relief::HeightField& field) {
 }
 
 relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
-                        const std::filesystem::path& folder, const surface::Cage& cage) {
+                        const std::filesystem::path& folder, const surface::Cage& cage,
+                        const std::function<const surface::LimitSurface&()>& limit) {
   const auto imageAt = [&](const ImageMap& image, double height) {
     return relief::readHeightImage(
         namedFile(section, "image", folder),
@@ -133,12 +118,19 @@ relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
                    return section.blame("texels", [&] { return heightsOf(map, relief); });
                  },
                  [&](const SolidMap& map) {
-                   return section.blame("solid", [&] { return heightsOf(map, relief, cage); });
+                   return section.blame("solid", [&] {
+                     return relief::makeSolidMap(limit(), map.texels.x, map.texels.y,
+                                                 relief::solidFunction(map.solid), relief.height,
+                                                 relief.wrap);
+                   });
                  },
                  [&](const ProjectedMap& map) {
                    relief::HeightField image = imageAt(map.image, 1);
-                   return section.blame(
-                       "period", [&] { return heightsOf(map, std::move(image), relief, cage); });
+                   return section.blame("period", [&] {
+                     return relief::makeSolidMap(limit(), map.texels.x, map.texels.y,
+                                                 relief::triplanar(std::move(image), map.period),
+                                                 relief.height, relief.wrap);
+                   });
                  },
                  [&](const ImageMap& map) { return imageAt(map, relief.height); }},
       relief.map);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "relief/solid.h"
 #include "study/spec/sections/study_key.h"
 #include "surface/cage/cage.h"
+#include "surface/limit_surface.h"
 
 namespace gnomon::study {
 
@@ -38,7 +40,7 @@ struct SolidMap {
 };
 
 struct ImageMap {
-  std::string path;  ///< as the file has it, see pathOf
+  std::string path;  ///< as the file has it, see fileOf
   int channel = 0;
   bool isChannelNamed = false;  ///< else three channels must be equal
 };
@@ -226,10 +228,12 @@ FacesOfMap facesOfMap(const surface::Cage& cage, const relief::Relief& relief);
 /// The relief that the section asks for.
 /// @param section  for messages
 /// @param folder   of the study: what paths are relative to
-/// @param cage     of the surface, on which a solid or a projection is sampled
+/// @param cage     of the surface
+/// @param limit    gives it, where a solid or a projection is sampled on it
 /// @throws InputError for an image, pattern or solid that cannot be; for one that is sampled on the
 ///   surface as LimitSurface; for a clamped map that no face lies in, on which nothing would rise
 relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
-                        const std::filesystem::path& folder, const surface::Cage& cage);
+                        const std::filesystem::path& folder, const surface::Cage& cage,
+                        const std::function<const surface::LimitSurface&()>& limit);
 
 }  // namespace gnomon::study

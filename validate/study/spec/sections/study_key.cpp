@@ -4,11 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/lists.h"
-#include "common/vec.h"
-#include "study/spec/toml/toml_text.h"
 
 namespace gnomon::study {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "cache/content_key.h"
 #include "common/vec.h"
-#include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 
@@ -197,7 +197,7 @@ Variant readKind(const TomlReader& section, std::string_view tag,
 }
 
 /// The settings of a section as a table of the file.
-/// @param with  what `keysOf` takes beside the section
+/// @param with  what `keysOf` takes after the section
 template <typename Section, typename... With>
 toml::table settingsOf(Section section, const With&... with) {
   return tableOf(keysOf(section, with...));

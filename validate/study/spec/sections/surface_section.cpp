@@ -6,8 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "common/lists.h"
-#include "study/spec/sections/study_paths.h"
+#include "study/spec/sections/study_files.h"
 #include "surface/cage/shapes.h"
 #include "surface/mesh_file.h"
 

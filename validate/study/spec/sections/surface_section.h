@@ -44,7 +44,7 @@ using Shape =
     std::variant<PlaneShape, CylinderShape, SphereShape, TorusShape, BezierShape, BSplineShape>;
 
 struct SurfaceMesh {
-  std::string path;  ///< as the file has it, see pathOf
+  std::string path;  ///< as the file has it, see fileOf
   surface::SubdivisionScheme scheme = surface::SubdivisionScheme::catmullClark;
 };
 

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "common/text/sha256.h"
-#include "study/spec/suite/distribution.h"
+#include "common/files/input_file.h"
 #include "study/spec/suite/drawn_surface.h"
 
 namespace gnomon::study {

@@ -3,15 +3,13 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <set>
-
 #include "common/error.h"
 #include "common/files/atomic_file.h"
+#include "common/files/input_file.h"
 #include "common/parallel.h"
-#include "common/text/sha256.h"
 #include "render/shader_files.h"
 #include "study/spec/sections/method_section.h"
-#include "study/spec/toml/toml_text.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 

@@ -5,13 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <optional>
-#include <string_view>
 
 #include "common/error.h"
 #include "study/spec/sweep/sweep_cases.h"
-#include "study/spec/toml/toml_reader.h"
-#include "study/spec/toml/toml_text.h"
 
 namespace gnomon::study {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -11,7 +10,7 @@
 
 #include "study/record/sweep_record.h"
 #include "study/spec/study_file.h"
-#include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 

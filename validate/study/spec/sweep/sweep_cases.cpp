@@ -8,8 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "study/spec/sweep/sweep.h"
-
 namespace gnomon::study {
 
 namespace {

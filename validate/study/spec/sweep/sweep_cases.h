@@ -1,12 +1,11 @@
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "study/record/sweep_record.h"
 #include "study/spec/sweep/sweep.h"
-#include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml_reader.h"
 
 namespace gnomon::study {
 
