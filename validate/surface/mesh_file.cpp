@@ -1,11 +1,13 @@
 #include "surface/mesh_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
@@ -18,14 +20,14 @@ namespace {
 
 struct Format {
   std::string_view ending;
-  PolygonMesh (*read)(const std::string& source, std::string_view bytes);
+  PolygonMesh (*read)(const std::string& source, std::string_view bytes, bool withNormals);
   /// Memory that reading takes, for each byte of the file. Of an OBJ: text, its checked copy,
   /// tinyobjloader's arrays and ours, OpenSubdiv's two levels. A face of a binary PLY may take no
   /// more than ten bytes, with its corners' vertices and texture coordinates as many again; here
   /// some hundred a corner, and OpenSubdiv's two levels.
   double memory;
 };
-constexpr std::array<Format, 2> formats = {{{".obj", &readObj, 30}, {".ply", &readPly, 60}}};
+constexpr std::array<Format, 2> meshFormats = {{{".obj", &readObj, 30}, {".ply", &readPly, 60}}};
 
 constexpr std::string_view compressed = "is compressed ({}): unpack it";
 constexpr std::string_view otherText = "is text in {}: save it as UTF-8 or ASCII";
@@ -67,16 +69,14 @@ void requireMesh(const std::string& source, std::string_view bytes, const Format
   if (!isPly && std::count(head.begin(), head.end(), '\0') == 2) refuse(otherText, "UTF-16");
 }
 
-}  // namespace
-
-Cage readMeshFile(const std::filesystem::path& path, SubdivisionScheme scheme) {
+PolygonMesh readPolygons(const std::filesystem::path& path, bool withNormals) {
   const std::string source = path.string();
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  const auto* const format = std::find_if(formats.begin(), formats.end(),
+  const auto* const format = std::find_if(meshFormats.begin(), meshFormats.end(),
                                           [&](const Format& one) { return one.ending == ending; });
-  if (format == formats.end()) {
+  if (format == meshFormats.end()) {
     throw InputError(fmt::format("{}: a mesh file that ends in .obj or .ply expected", source));
   }
   std::error_code error;
@@ -84,7 +84,36 @@ Cage readMeshFile(const std::filesystem::path& path, SubdivisionScheme scheme) {
   if (!error) requireMemory(format->memory * static_cast<double>(size), source);
   const std::string bytes = readFile(path);
   requireMesh(source, bytes, *format);
-  return toCage(format->read(source, bytes), scheme);
+  return format->read(source, bytes, withNormals);
+}
+
+}  // namespace
+
+Cage readMeshFile(const std::filesystem::path& path, SubdivisionScheme scheme) {
+  return toCage(readPolygons(path, scheme == SubdivisionScheme::none), scheme);
+}
+
+std::string schemeChoice(const std::filesystem::path& path) {
+  const PolygonMesh mesh = readPolygons(path, false);
+  const auto countOf = [&mesh](int corners) {
+    return std::count(mesh.faceSizes.begin(), mesh.faceSizes.end(), corners);
+  };
+  const auto all = static_cast<std::ptrdiff_t>(mesh.faceSizes.size());
+  const auto triangles = countOf(3);
+  const auto quadrilaterals = countOf(4);
+  std::vector<std::string> kinds;
+  const auto add = [&kinds](std::ptrdiff_t count, const char* one, const char* several) {
+    if (count > 0) kinds.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
+  };
+  add(triangles, "triangle", "triangles");
+  add(quadrilaterals, "quadrilateral", "quadrilaterals");
+  add(all - triangles - quadrilaterals, "larger polygon", "larger polygons");
+  const bool isLoop = triangles == all;
+  return fmt::format(
+      "{}: catmull-clark would round {} to a smooth surface, as the control cage of a subdivision "
+      "surface (a box becomes a ball){}; none keeps {}",
+      fmt::join(kinds, ", "), all == 1 ? "it" : "them",
+      isLoop ? ", loop too" : ", loop cannot take what is no triangle", all == 1 ? "it" : "them");
 }
 
 }  // namespace gnomon::surface

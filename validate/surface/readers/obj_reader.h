@@ -15,11 +15,12 @@ namespace gnomon::surface {
 /// line); "unnamed" before the first. A line of numbers may go on in the next, by a \\ at its end.
 /// Borders are edgesAndCorners, whatever the file's `t interpolateboundary` says; any other tag is
 /// an error, since it would change the surface.
-/// @param source  the file, as messages name it
+/// @param source       the file, as messages name it
+/// @param withNormals  reads `vn` too, which is else not looked at
 /// @throws InputError naming file and line: an index that is 0 or counts back too far, a number
 /// that
 ///   is malformed or not finite, texture coordinates at some corners of a face only, a face of
 ///   fewer than 3 or more than 255 corners
-PolygonMesh readObj(const std::string& source, std::string_view text);
+PolygonMesh readObj(const std::string& source, std::string_view text, bool withNormals = false);
 
 }  // namespace gnomon::surface
