@@ -165,14 +165,14 @@ gnomon::Surface makeShape(const std::string& shape, const gnomon::ShapeKeys& key
   return interruptibly([&](const Stop&) { return gnomon::makeShape(shape, keys); });
 }
 
-gnomon::Surface readSurface(const std::filesystem::path& file, bool triangles) {
-  return interruptibly([&](const Stop&) { return gnomon::readSurface(file, triangles); });
+gnomon::Surface readSurface(const std::filesystem::path& file, const std::string& scheme) {
+  return interruptibly([&](const Stop&) { return gnomon::readSurface(file, scheme); });
 }
 
 gnomon::Surface makeSurface(const Array<double>& positions, const Array<int>& faces,
-                            const Array<double>& uvs, const Array<int>& faceUvs) {
-  const gnomon::ControlMesh mesh{spanOf(positions), spanOf(faces), spanOf(uvs), spanOf(faceUvs),
-                                 faces.shape(1) == 3};
+                            const Array<double>& uvs, const Array<int>& faceUvs, bool polygons) {
+  const gnomon::ControlMesh mesh{spanOf(positions), spanOf(faces),       spanOf(uvs),
+                                 spanOf(faceUvs),   faces.shape(1) == 3, polygons};
   return interruptibly([&](const Stop&) { return gnomon::makeSurface(mesh); });
 }
 
@@ -303,8 +303,9 @@ PYBIND11_MODULE(_gnomon, module) {
           "t", [](const py::object& self) { return memberOf(self, &gnomon::SurfacePlace::t); })
       .def_property_readonly("weights", &weightsOf);
   module.def("make_shape", &makeShape, "shape"_a, "keys"_a);
-  module.def("read_surface", &readSurface, "file"_a, "triangles"_a);
-  module.def("make_surface", &makeSurface, "positions"_a, "faces"_a, "uvs"_a, "face_uvs"_a);
+  module.def("read_surface", &readSurface, "file"_a, "scheme"_a);
+  module.def("make_surface", &makeSurface, "positions"_a, "faces"_a, "uvs"_a, "face_uvs"_a,
+             "polygons"_a);
   module.def("atlas", &atlas, "surface"_a, "samples"_a);
   module.def("camera", &camera, "surface"_a, "eye"_a, "target"_a, "up"_a, "fov"_a, "width"_a,
              "height"_a, "subdivisions"_a);

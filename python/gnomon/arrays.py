@@ -112,27 +112,31 @@ def make_shape(
     return _gnomon.make_shape(shape, keys)
 
 
-def read_surface(file: Any, triangles: bool = False) -> Surface:
-    """The limit surface of the control mesh in an OBJ or PLY file.
+def read_surface(file: Any, scheme: str) -> Surface:
+    """The surface of an OBJ or PLY file, as `[surface] mesh` and `scheme` of a study.
 
-    file       its path
-    triangles  whether faces have three corners (surface of Loop), not four (Catmull & Clark)
+    file    its path
+    scheme  "catmull-clark", or of triangles "loop": the limit surface of the file as a control mesh;
+            "none": its polygons as they are, with its normals
 
     Raises InputError naming the file and what is wrong in it.
     """
-    return _gnomon.read_surface(
-        arguments.path(file, "file"), arguments.flag(triangles, "triangles")
-    )
+    if not isinstance(scheme, str):
+        arguments.refuse("scheme", scheme, '"catmull-clark", "loop" or "none"')
+    return _gnomon.read_surface(arguments.path(file, "file"), scheme)
 
 
-def make_surface(positions: Any, faces: Any, uvs: Any, face_uvs: Any = None) -> Surface:
-    """The limit surface of a control mesh.
+def make_surface(
+    positions: Any, faces: Any, uvs: Any, face_uvs: Any = None, polygons: bool = False
+) -> Surface:
+    """The limit surface of a control mesh, or its polygons as they are.
 
     positions  (vertices, 3), world units
     faces      (faces, 4) vertices, from 0, counter-clockwise seen from outside: a surface of Catmull
                & Clark; (faces, 3): of Loop
     uvs        (texture vertices, 2)
     face_uvs   texture vertices of the faces, shaped as `faces`; where there are none they are `faces`
+    polygons   whether the faces themselves are the surface, as with scheme "none" of a file
 
     Raises InputError naming the face or vertex that has no limit surface.
     """
@@ -150,6 +154,7 @@ def make_surface(positions: Any, faces: Any, uvs: Any, face_uvs: Any = None) -> 
         made
         if face_uvs is None
         else arguments.indices(face_uvs, "face_uvs", made.shape, f"{made.shape} as of faces"),
+        arguments.flag(polygons, "polygons"),
     )
 
 

@@ -71,8 +71,21 @@ WRONG = [
     (gnomon.make_shape, {"shape": "cone"}, "cone: shape: the string"),
     (gnomon.make_shape, {"shape": "torus", "quads": (64, 64), "major": 2}, "torus: minor: missing"),
     (gnomon.make_shape, {"shape": 3}, "shape: 3 found, the name of a shape expected"),
-    (gnomon.read_surface, {"file": 3}, "file: 3 found, a path expected"),
-    (gnomon.read_surface, {"file": "x.obj", "triangles": 1}, "triangles: 1 found, True or False"),
+    (
+        gnomon.read_surface,
+        {"file": 3, "scheme": "none"},
+        "file: 3 found, a path expected",
+    ),
+    (
+        gnomon.read_surface,
+        {"file": "x.obj", "scheme": 1},
+        'scheme: 1 found, "catmull-clark", "loop" or "none" expected',
+    ),
+    (
+        gnomon.read_surface,
+        {"file": "x.obj", "scheme": "nurbs"},
+        'surface: scheme: the string "nurbs" found, one of catmull-clark, loop, none expected',
+    ),
     (gnomon.read_mask, {"file": None}, "file: None found, a path expected"),
     (gnomon.atlas, {"surface": 3, "samples": 2}, "surface: 3 found, a gnomon.Surface expected"),
     (gnomon.atlas, {"surface": plane, "samples": 1.5}, None),

@@ -90,6 +90,23 @@ def test_a_surface_from_arrays_is_the_shape():
     assert seen.s[4, 4] == pytest.approx(0.5, abs=1e-5)
 
 
+def test_polygons_are_what_they_are():
+    """A cube, whose corners a limit surface would round off, has three lit sides."""
+    corners = [[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
+    faces = [[4, 5, 7, 6], [1, 0, 2, 3], [5, 1, 3, 7], [0, 4, 6, 2], [6, 7, 3, 2], [0, 1, 5, 4]]
+    uvs = [[0, 0], [1, 0], [1, 1], [0, 1]]
+    face_uvs = [[0, 1, 2, 3]] * 6
+    cube = gnomon.make_surface(corners, faces, uvs, face_uvs, polygons=True)
+    assert cube.face_count == 6
+    assert gnomon.atlas(cube, 9).weights.sum() == pytest.approx(24, rel=1e-4)
+    rounded = gnomon.make_surface(corners, faces, uvs, face_uvs)
+    assert gnomon.atlas(rounded, 9).weights.sum() < 12
+    samples = gnomon.atlas(cube, 9)
+    truth = gnomon.trace(cube, np.zeros((8, 8), np.float32), samples, [(1, 2, 3)], step=0.5)[0]
+    shown = samples.face >= 0
+    assert (truth.mask[shown] == np.isin(samples.face[shown], [0, 2, 4])).all()
+
+
 def test_compare_by_hand():
     truth = np.array([[0, 0, 1, 1], [0, 1, 1, 2]], np.uint8)
     candidate = np.array([[0, 1, 1, 0], [0, 1, 1, 1]], np.uint8)
@@ -196,7 +213,7 @@ def test_errors_are_one_line():
         gnomon.horizons(heights, 4, 4)
     assert "\n" not in str(refused.value)
     with pytest.raises(gnomon.InputError, match="nowhere.obj"):
-        gnomon.read_surface("nowhere.obj")
+        gnomon.read_surface("nowhere.obj", "none")
 
 
 @pytest.mark.parametrize("order", "<>")

@@ -17,6 +17,7 @@ source = "a test"
 frames = 0
 [surface]
 mesh = "{name}.obj"
+scheme = "catmull-clark"
 [relief]
 solid = "noise"
 texels = [512, 512]

@@ -459,6 +459,7 @@ source = "atlases of many charts"
 
 [surface]
 mesh = "{mesh}"
+scheme = "catmull-clark"
 
 [relief]
 {relief}

@@ -13,6 +13,9 @@ layout(location = 8) flat out int face;
 layout(location = 9) out vec2 st;
 layout(location = 10) out vec4 vertexLight;
 layout(location = 11) flat out int chart;
+#ifdef ON_POLYGONS
+layout(location = 12) out vec3 columnDirection;
+#endif
 
 void main() {
   float nothing = uintBitsToFloat(0x7fc00000u);
@@ -21,5 +24,8 @@ void main() {
   face = -1;
   chart = 0;
   vertexLight = vec4(nothing);
+#ifdef ON_POLYGONS
+  columnDirection = vec3(nothing);
+#endif
   gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }

@@ -14,6 +14,11 @@ layout(location = 8) in int vertexFace;
 layout(location = 9) in vec2 vertexSt;
 layout(location = 10) in int vertexChart;
 
+#ifdef ON_POLYGONS
+layout(location = 11) in vec3 vertexDirection;
+layout(location = 12) out vec3 columnDirection;
+#endif
+
 layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 normal;
 layout(location = 2) out vec3 px;
@@ -67,6 +72,9 @@ void main() {
   face = vertexFace;
   st = vertexSt;
   chart = vertexChart;
+#ifdef ON_POLYGONS
+  columnDirection = vertexDirection;
+#endif
   vertexLight = lightAtVertex();
   if (texelWindow.z > 0.0) {
     gl_Position = vec4(2.0 * (vertexTexel - texelWindow.xy) / texelWindow.zw - 1.0, 0.0, 1.0);

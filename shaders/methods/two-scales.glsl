@@ -17,9 +17,13 @@ vec3 shadingNormal(Pixel pixel) {
   Cell cell = heightCell(pixel.texel);
   float height = pixel.worldPerHeight * heightIn(cell);
   vec2 rise = pixel.worldPerHeight * gradientIn(cell);
+#ifdef ON_POLYGONS
+  return displacedNormal(pixel, rise, height);
+#else
   vec3 facet = normalize(cross(displacedSide(pixel, pixel.px, rise.x, height),
                                displacedSide(pixel, pixel.py, rise.y, height)));
   return dot(facet, pixel.normal) < 0.0 ? -facet : facet;
+#endif
 }
 
 bool isShadowed(Pixel pixel, LocalLight light) {

@@ -51,12 +51,31 @@ TEST_F(ApiSurface, TakesAControlMesh) {
   EXPECT_NEAR(areaOf(surface), 2, 1e-3);
 }
 
+// As they are, a bent square keeps its area, and a cube its corners, which a limit surface rounds
+// off.
+TEST_F(ApiSurface, TakesPolygonsAsTheyAre) {
+  const std::vector<double> corners = {-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1,
+                                       -1, -1, 1,  1, -1, 1,  -1, 1, 1,  1, 1, 1};
+  const std::vector<int> faces = {4, 5, 7, 6, 1, 0, 2, 3, 5, 1, 3, 7,
+                                  0, 4, 6, 2, 6, 7, 3, 2, 0, 1, 5, 4};
+  const std::vector<double> uvs(16, 0.5);
+  ControlMesh cube{corners, faces, uvs, {}};
+  EXPECT_LT(areaOf(makeSurface(cube)), 12);
+  cube.polygons = true;
+  EXPECT_EQ(makeSurface(cube).faceCount(), 6);
+  EXPECT_NEAR(areaOf(makeSurface(cube)), 24, 1e-3);
+}
+
 TEST_F(ApiSurface, TakesAFile) {
   std::ofstream(file("square.obj"))
       << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
          "f 1/1 2/2 3/3 4/4\n";
-  EXPECT_EQ(readSurface(file("square.obj")).faceCount(), 1);
-  EXPECT_THAT(failureOf([&] { (void)readSurface(file("none.obj")); }), HasSubstr("none.obj"));
+  EXPECT_EQ(readSurface(file("square.obj"), "catmull-clark").faceCount(), 1);
+  EXPECT_EQ(readSurface(file("square.obj"), "none").faceCount(), 1);
+  EXPECT_THAT(failureOf([&] { (void)readSurface(file("none.obj"), "none"); }),
+              HasSubstr("none.obj"));
+  EXPECT_THAT(failureOf([&] { (void)readSurface(file("square.obj"), "nurbs"); }),
+              HasSubstr("one of catmull-clark, loop, none expected"));
 }
 
 TEST_F(ApiSurface, AnAtlasHasItsFirstRowAtTheTop) {

@@ -124,6 +124,7 @@ title = "An atlas"
 source = "tests"
 [surface]
 mesh = "{mesh}"
+scheme = "catmull-clark"
 [relief]
 {relief}
 height = 0.01

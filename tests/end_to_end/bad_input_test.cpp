@@ -81,7 +81,7 @@ TEST_F(BadInput, IsOneLineAndAStatus) {
       {{"run", "cut.toml"}, 3, {"cut.toml:8:"}},
       {{"run", "typo.toml"}, 3, {"typo.toml:16: relief.wal: unknown key", "wall"}},
       {{"run", "lines.toml"}, 3, {"relief.period"}},
-      {with("surface={mesh=\"point.obj\"}"), 3, {"no area"}},
+      {with("surface={mesh=\"point.obj\",scheme=\"catmull-clark\"}"), 3, {"no area"}},
       {with(imageChange("text.png").front()), 3, {"text.png: "}},
       {with("truth.step=1e-300"), 4, {"truth.step: 1e-300 texels"}},
       {{"run", "small.toml", "--set", "relief.texels=[4096, 4096]", "--set", "bake.radius=100",
@@ -309,8 +309,9 @@ TEST_F(Notices, AMapThatRepeatsOverAnOpenMeshIsNoticedAndNotTheDefault) {
     }
   }
   write("bowl.obj", obj);
-  const std::string bowl = replaced(
-      smallStudy(), "shape = \"plane\"\nquads = [4, 4]\nsize = [32, 32]", "mesh = \"bowl.obj\"");
+  const std::string bowl =
+      replaced(smallStudy(), "shape = \"plane\"\nquads = [4, 4]\nsize = [32, 32]",
+               "mesh = \"bowl.obj\"\nscheme = \"catmull-clark\"");
   const auto tellsIt = [](const std::vector<std::string>& notices) {
     return std::any_of(notices.begin(), notices.end(), [](const std::string& notice) {
       return notice.find("The map repeats past the border") != std::string::npos;

@@ -10,9 +10,10 @@
 
 #include "end_to_end/support/program.h"
 
-// Whole runs on a mesh from a file: the same surface in every format, and a face without texture.
-// The same scene in other numbers must have the same shadows. Shadows do not depend on the unit of
-// length, on how a periodic map is cut into tiles, or on which way the world is turned.
+// Whole runs on a mesh from a file: the same surface in every format, polygons as they are, and a
+// face without texture. The same scene in other numbers must have the same shadows. Shadows do not
+// depend on the unit of length, on how a periodic map is cut into tiles, or on which way the world
+// is turned.
 //
 // Where the numbers change only in ways that floats carry exactly (a scale of 2^k, a longer map of
 // the same period), every mask must be the same. Elsewhere a sample may flip whose shadow's edge
@@ -59,6 +60,7 @@ source = "a test"
 frames = 0
 [surface]
 mesh = "plates.obj"
+scheme = "catmull-clark"
 
 [relief]
 pattern = "columns"
@@ -135,9 +137,10 @@ TEST_F(Parts, HaveNamesOfTheirOwn) {
 }
 
 /// The small study on a mesh, in a camera and in an atlas of 7 × 7 samples a face.
-std::string studyOf(const std::string& mesh, const std::string& name) {
+std::string studyOf(const std::string& mesh, const std::string& name,
+                    const std::string& scheme = "catmull-clark") {
   std::string text = replaced(smallStudy(), "shape = \"plane\"\nquads = [4, 4]\nsize = [32, 32]",
-                              "mesh = \"" + mesh + "\"");
+                              "mesh = \"" + mesh + "\"\nscheme = \"" + scheme + "\"");
   text = replaced(text, "name = \"small\"", "name = \"" + name + "\"");
   return replaced(text, "[[light]]", "[[view]]\ntype = \"atlas\"\nsamples = 7\n\n[[light]]");
 }
@@ -170,6 +173,94 @@ TEST_F(MeshFiles, AnObjAndAPlyOfTheSameMeshGiveTheSameFigures) {
   EXPECT_EQ(obj.at("results"), ply.at("results"));
   EXPECT_EQ(obj.at("undefined_samples"), 0);
   EXPECT_GT(resultOf(obj, "unshadowed", "evening", "camera").at("prevalence"), 0.02);
+}
+
+TEST_F(MeshFiles, AMeshNeedsAScheme) {
+  write("mesh.obj", objOf("2/2 3/5 6/6 5/3"));
+  write("study.toml", replaced(studyOf("mesh.obj", "study"), "scheme = \"catmull-clark\"\n", ""));
+  const Outcome outcome = gnomon({"run", "study.toml"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("surface.scheme: missing"));
+  EXPECT_THAT(outcome.err, HasSubstr("2 quadrilaterals: catmull-clark would round them"));
+}
+
+// ---- polygons as they are
+
+/// The two squares with normals that lean over the common edge, whose own is shared.
+std::string leaningObj() {
+  return replaced(objOf("2/2/2 3/5/3 6/6/3 5/3/2"), "f 1/1 2/2 5/3 4/4",
+                  "vn 0 0 1\nvn -0.2 0 1\nvn 0.1 0.2 1\nf 1/1/1 2/2/2 5/3/2 4/4/1");
+}
+
+/// The same with its vertices and their normals apart.
+std::string leaningPly() {
+  std::string text = replaced(cutPly, "property float s\n",
+                              "property double nx\nproperty double ny\nproperty double nz\n"
+                              "property float s\n");
+  const auto rows = std::array<std::array<const char*, 2>, 8>{{
+      {"-16 -16 0 0 0\n", "-16 -16 0 0 0 1 0 0\n"},
+      {"0 -16 0 0.5 0\n0 16", "0 -16 0 -0.2 0 1 0.5 0\n0 16"},
+      {"0 16 0 0.5 1\n-16", "0 16 0 -0.2 0 1 0.5 1\n-16"},
+      {"-16 16 0 0 1\n", "-16 16 0 0 0 1 0 1\n"},
+      {"0 -16 0 0.5 0\n16", "0 -16 0 -0.2 0 1 0.5 0\n16"},
+      {"16 -16 3 1 0\n", "16 -16 3 0.1 0.2 1 1 0\n"},
+      {"16 16 3 1 1\n", "16 16 3 0.1 0.2 1 1 1\n"},
+      {"0 16 0 0.5 1\n4", "0 16 0 -0.2 0 1 0.5 1\n4"},
+  }};
+  for (const auto& [from, to] : rows) text = replaced(text, from, to);
+  return text;
+}
+
+TEST_F(MeshFiles, PolygonsOfAnObjAndAPlyGiveTheSameFigures) {
+  write("mesh.obj", leaningObj());
+  write("mesh.ply", leaningPly());
+  runStudy("from-obj", studyOf("mesh.obj", "from-obj", "none"));
+  runStudy("from-ply", studyOf("mesh.ply", "from-ply", "none"));
+  const nlohmann::json obj = summary("from-obj");
+  const nlohmann::json ply = summary("from-ply");
+  EXPECT_EQ(obj.at("results"), ply.at("results"));
+  EXPECT_EQ(obj.at("study").at("settings").at("base").at("curvature"), "vertices");
+  EXPECT_GT(resultOf(obj, "unshadowed", "evening", "camera").at("prevalence"), 0.02);
+  // A control: without the normals it is another surface.
+  write("mesh.obj", objOf("2/2 3/5 6/6 5/3"));
+  runStudy("from-obj", studyOf("mesh.obj", "from-obj", "none"));
+  EXPECT_NE(obj.at("results"), summary("from-obj").at("results"));
+}
+
+/// A plane relief under normals that lean, so that only these decide what is turned away: a light
+/// at 30° is behind a normal that leans 70° from it.
+TEST_F(MeshFiles, PolygonsAreShadedByTheFilesNormals) {
+  const auto darkShare = [this](const std::string& normal) {
+    write("mesh.obj", replaced(objOf("2/2/1 3/5/1 6/6/1 5/3/1"), "f 1/1 2/2 5/3 4/4",
+                               "vn " + normal + "\nf 1/1/1 2/2/1 5/3/1 4/4/1"));
+    runStudy("leaning", studyOf("mesh.obj", "leaning", "none"),
+             {"--set", "relief.height=0", "--set", "light.0.azimuth=90"});
+    const nlohmann::json result = resultOf(summary("leaning"), "unshadowed", "evening", "atlas");
+    return (result.at("tp").get<double>() + result.at("fp").get<double>()) /
+           (result.at("tp").get<double>() + result.at("fp").get<double>() +
+            result.at("tn").get<double>() + result.at("fn").get<double>());
+  };
+  EXPECT_EQ(darkShare("0 -1 0.1"), 1);
+  EXPECT_EQ(darkShare("0 1 0.1"), 0);
+  EXPECT_EQ(darkShare("0 0 1"), 0);
+}
+
+TEST_F(MeshFiles, PolygonsAreMeasuredByEveryMethodAndTheBestAreNearTheTruth) {
+  write("mesh.obj", leaningObj());
+  std::string text = studyOf("mesh.obj", "all", "none");
+  for (const char* method : {"surface-march", "two-scales", "two-scales-surface", "shadow-map",
+                             "shadow-volume", "sloan-cohen-surface", "geodesic-march"}) {
+    text += std::string("\n[[method]]\nname = \"") + method + "\"\n";
+  }
+  runStudy("all", text);
+  const nlohmann::json all = summary("all");
+  const auto error = [&](const char* method) {
+    return resultOf(all, method, "evening", "atlas").at("error_rate").get<double>();
+  };
+  EXPECT_EQ(all.at("undefined_samples"), 0);
+  EXPECT_LT(error("surface-march"), 0.02);
+  EXPECT_LT(error("two-scales"), 0.03);
+  EXPECT_LT(error("surface-march"), 0.5 * error("unshadowed"));
 }
 
 // A clamped map goes on beyond its sides as they are: a face there is flat, and was 0.00 % wrong.

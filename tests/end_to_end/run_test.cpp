@@ -196,7 +196,7 @@ TEST_F(RunFolder, AKilledRunLeavesNothingHalfWrittenAndCanBeRunAgain) {
 /// another, under methods that draw three meshes.
 std::string study() {
   std::string text = replaced(smallStudy(), "shape = \"plane\"\nquads = [4, 4]\nsize = [32, 32]",
-                              "mesh = \"bent.obj\"");
+                              "mesh = \"bent.obj\"\nscheme = \"catmull-clark\"");
   text = replaced(text, "name = \"evening\"\n", "");
   text = replaced(text, "elevation = 30", "elevation = [20, 50]");
   return text +

@@ -47,8 +47,9 @@ const std::vector<Place>& places() {
       {"the second study", "x.toml", "gnomon run small.toml x.toml"},
       {"a method", "x.glsl", "gnomon run small.toml --replace unshadowed=x.glsl"},
       {"a method of a study", "x.glsl", "gnomon run own.toml"},
-      {"an OBJ", "x.obj", "gnomon run small.toml --set 'surface={mesh=\"x.obj\"}'"},
-      {"a PLY", "x.ply", "gnomon run small.toml --set 'surface={mesh=\"x.ply\"}'"},
+      {"an OBJ", "x.obj", "gnomon run small.toml --set 'surface={mesh=\"x.obj\",scheme=\"none\"}'"},
+      {"a PLY", "x.ply",
+       "gnomon run small.toml --set 'surface={mesh=\"x.ply\",scheme=\"catmull-clark\"}'"},
       {"a picture", "x.png", "gnomon run small.toml --set 'relief={image=\"x.png\",height=1}'"},
       {"references", "refs/small.json", "gnomon check small.toml --baseline refs"},
       {"former references", "refs/small.json",
@@ -163,7 +164,8 @@ TEST_F(UnusualFiles, NamesThatAreTooLong) {
            fmt::format("gnomon run small.toml --out {}", name),
            fmt::format("gnomon check small.toml --out {}", name),
            fmt::format("gnomon run small.toml --replace unshadowed={}.glsl", name),
-           fmt::format("gnomon run small.toml --set 'surface={{mesh=\"{}.obj\"}}'", name),
+           fmt::format("gnomon run small.toml --set 'surface={{mesh=\"{}.obj\",scheme=\"none\"}}'",
+                       name),
            fmt::format("gnomon check small.toml --junit {}.xml", name),
        }) {
     const Outcome outcome = runShell(folder(), command);
@@ -386,7 +388,7 @@ class StreamedStudy : public EndToEnd {
   }
   static std::string studyText() {
     return replaced(smallStudy(), "shape = \"plane\"\nquads = [4, 4]\nsize = [32, 32]",
-                    "mesh = \"meshes/square.obj\"") +
+                    "mesh = \"meshes/square.obj\"\nscheme = \"catmull-clark\"") +
            "\n[[threshold]]\nmethod = \"unshadowed\"\nmax = 0.9\n";
   }
   /// The figures of a run, without what names the study's file and how long it took.

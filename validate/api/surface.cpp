@@ -16,6 +16,7 @@
 #include "study/spec/sections/surface_section.h"
 #include "study/spec/sections/view_section.h"
 #include "surface/base_mesh.h"
+#include "surface/cage/polygon_cage.h"
 #include "surface/mesh_file.h"
 #include "surface/sample_grid.h"
 
@@ -33,6 +34,13 @@ surface::SubdivisionScheme schemeOf(bool triangles) {
   return triangles ? surface::SubdivisionScheme::loop : surface::SubdivisionScheme::catmullClark;
 }
 
+surface::SubdivisionScheme schemeNamed(std::string_view name) {
+  study::SurfaceMesh mesh;
+  study::readValues(toml::table{{"mesh", "file"}, {"scheme", name}}, "surface",
+                    study::keysOf(mesh));
+  return mesh.scheme;
+}
+
 template <std::size_t size>
 std::vector<glm::vec<size, double>> vectorsOf(std::span<const double> numbers, const char* what) {
   if (numbers.size() % size != 0) {
@@ -44,6 +52,17 @@ std::vector<glm::vec<size, double>> vectorsOf(std::span<const double> numbers, c
     vectors[i / size][static_cast<glm::length_t>(i % size)] = numbers[i];
   }
   return vectors;
+}
+
+surface::Cage polygonsOf(const surface::Cage& cage) {
+  const std::vector<int> sizes(static_cast<std::size_t>(cage.faceCount()),
+                               static_cast<int>(cage.faceSize()));
+  return surface::makePolygonCage({.positions = cage.positions,
+                                   .faceSizes = sizes,
+                                   .faceVertices = cage.faceVertices,
+                                   .uvs = cage.uvs,
+                                   .faceUvs = cage.faceUvs},
+                                  {});
 }
 
 surface::Cage cageOf(const ControlMesh& mesh) {
@@ -60,6 +79,7 @@ surface::Cage cageOf(const ControlMesh& mesh) {
                     "multiple of {} expected",
                     mesh.faces.size(), uvs.size(), cage.faceSize()));
   }
+  if (mesh.polygons) return polygonsOf(cage);
   return cage;
 }
 
@@ -155,8 +175,8 @@ Surface makeSurface(const ControlMesh& mesh) {
   return translated([&] { return surfaceOf(cageOf(mesh)); });
 }
 
-Surface readSurface(const std::filesystem::path& file, bool triangles) {
-  return translated([&] { return surfaceOf(surface::readMeshFile(file, schemeOf(triangles))); });
+Surface readSurface(const std::filesystem::path& file, std::string_view scheme) {
+  return translated([&] { return surfaceOf(surface::readMeshFile(file, schemeNamed(scheme))); });
 }
 
 Surface makeShape(std::string_view shape, const ShapeKeys& keys) {

@@ -23,9 +23,13 @@ struct ControlMesh {
   std::span<const int> faceUvs;  ///< texture vertices of each face; empty where they are `faces`
   /// Faces have three corners (limit surface of Loop), not four (Catmull & Clark).
   bool triangles = false;
+  /// The faces themselves are the surface, displaced and shaded by normals that are means of
+  /// theirs.
+  bool polygons = false;
 };
 
-/// A smooth limit surface with texture coordinates. Copies share it, and threads may too.
+/// A smooth limit surface, or polygons as they are, with texture coordinates. Copies share it, and
+/// threads may too.
 class GNOMON_API Surface {
  public:
   struct Data;
@@ -42,10 +46,11 @@ class GNOMON_API Surface {
 /// @throws Exception  badInput naming a face or vertex that has no limit surface
 GNOMON_API Surface makeSurface(const ControlMesh& mesh);
 
-/// The limit surface of an OBJ or PLY file.
-/// @param triangles  as in ControlMesh
+/// The surface of an OBJ or PLY file.
+/// @param scheme  "catmull-clark" or "loop", the limit surface of the file as a control mesh, or
+///   "none", its polygons as they are, with its normals
 /// @throws Exception  badInput naming the file and what is wrong in it
-GNOMON_API Surface readSurface(const std::filesystem::path& file, bool triangles = false);
+GNOMON_API Surface readSurface(const std::filesystem::path& file, std::string_view scheme);
 
 /// The keys of a built-in shape with their numbers, as `[surface]` of a study has them
 /// (docs/study-keys.md): `{{"quads", {20, 20}}, {"curvature", {0.015}}, {"size", {128, 128}}}`.

@@ -62,7 +62,8 @@ std::vector<std::uint32_t> triangleAdjacency(const surface::BaseMesh& mesh,
   };
   const std::vector<Side> sides = sortedSides(mesh, shared);
   for (std::size_t i = 0; i < sides.size();) {
-    // The cage has at most two faces an edge, so that an edge has one or two sides.
+    // The cage has at most two faces an edge, so that an edge has one or two sides; where more
+    // polygons meet, they pair as they come.
     const bool pair = i + 1 < sides.size() && sides[i].meets(sides[i + 1]);
     put(sides[i], opposite(sides[pair ? i + 1 : i]));
     if (pair) put(sides[i + 1], opposite(sides[i]));

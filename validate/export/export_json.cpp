@@ -49,7 +49,7 @@ report::Json conventionsJson() {
        "lie at + 0.5, y upward: the picture's first row is the largest v. (x, y) = uv "
        "texels_per_uv; "
        "outside the map by wrap. The displaced point is D = P + a h n, n the limit surface's "
-       "normal; "
+       "normal, of polygons (scheme none) the direction that all corners at a place share; "
        "a = 1 for height_space world, a = |P_x x P_y|^(1/2) for texture, with P_x, P_y the world "
        "length per texel."},
       {"tables",
@@ -63,8 +63,8 @@ report::Json conventionsJson() {
 report::Json channelsJson() {
   return {{"face, s, t", "the sample: face of the cage and parameters on it; face -1 is no sample"},
           {"texel.X, .Y", "texture coordinates in texels"},
-          {"base.X, .Y, .Z", "P, the point of the undisplaced limit surface"},
-          {"normal.X, .Y, .Z", "n, the normal there"},
+          {"base.X, .Y, .Z", "P, the point of the undisplaced surface"},
+          {"normal.X, .Y, .Z", "n, the normal there; of polygons that of shading"},
           {"point.X, .Y, .Z", "the displaced point, where the truth's shadow ray starts"},
           {"facet.X, .Y, .Z", "normal of the truth's facet that holds it"},
           {"weight", "of the sample in an atlas; 1 in a camera's view"}};

@@ -15,7 +15,7 @@ double worldPerHeight(HeightSpace space, const surface::TexelFrame& frame) {
 Vec3 displaced(const Relief& relief, const surface::TexelFrame& frame) {
   if (!frame.defined) return frame.position;
   const double height = worldPerHeight(relief.space, frame) * relief.field.at(frame.texel);
-  return frame.position + height * frame.normal;
+  return frame.position + height * frame.direction();
 }
 
 namespace {

@@ -30,7 +30,8 @@ struct Relief {
 /// a: world length per height unit at a frame.
 double worldPerHeight(HeightSpace space, const surface::TexelFrame& frame);
 
-/// D = P + a h n: the displaced point above a frame. An undefined frame is not displaced.
+/// D = P + a h n: the displaced point above a frame, n the frame's direction. An undefined frame is
+/// not displaced.
 Vec3 displaced(const Relief& relief, const surface::TexelFrame& frame);
 
 /// The axes along which a map ends with the surface that carries it.

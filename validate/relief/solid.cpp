@@ -353,11 +353,13 @@ HeightField makeSolidMap(const surface::LimitSurface& surface, int width, int he
   const auto valueAt = [&](const Claim& claim) {
     const surface::LimitFace& face = faces[static_cast<std::size_t>(claim.face)];
     const Vec2 parameters(claim.parameters);
-    const surface::TexelFrame frame =
-        surface::texelFrame(face.at(parameters.x, parameters.y), texelsPerUv);
+    const surface::TangentPoint point = face.at(parameters.x, parameters.y);
+    const surface::TexelFrame frame = surface::tangentFrame(point, texelsPerUv);
     const Vec2 past(claim.beyond);
     const Vec3 beyond = past.x * frame.px + past.y * frame.py;
-    return solid(frame.position + beyond, turnedNormal(face, parameters, frame.normal, beyond));
+    // Of polygons the direction, which both sides of a hard edge share.
+    const Vec3& normal = point.ownDirection == Vec3(0) ? frame.normal : point.ownDirection;
+    return solid(frame.position + beyond, turnedNormal(face, parameters, normal, beyond));
   };
   const auto agree = [&](const Claim& a, const Claim& b) {
     return amplitude == 0 || std::abs(valueAt(a) - valueAt(b)) <= solidStep;

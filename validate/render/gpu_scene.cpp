@@ -28,6 +28,7 @@ struct GpuVertex {
   std::int32_t face;
   glm::vec2 st;
   std::int32_t chart;
+  glm::vec3 direction;  // of displacement
 };
 
 constexpr std::array gpuVertexLayout = {
@@ -42,6 +43,7 @@ constexpr std::array gpuVertexLayout = {
     gl::Attribute{8, 1, offsetof(GpuVertex, face), GL_INT},
     gl::Attribute{9, 2, offsetof(GpuVertex, st)},
     gl::Attribute{10, 1, offsetof(GpuVertex, chart), GL_INT},
+    gl::Attribute{11, 3, offsetof(GpuVertex, direction)},
 };
 
 GpuVertex gpuVertex(const surface::BaseVertex& v, std::int32_t chart) {
@@ -52,7 +54,8 @@ GpuVertex gpuVertex(const surface::BaseVertex& v, std::int32_t chart) {
           glm::vec2(frame.texel),
           face,
           glm::vec2(st),
-          chart};
+          chart,
+          glm::vec3(frame.direction())};
 }
 
 }  // namespace

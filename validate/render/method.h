@@ -149,7 +149,10 @@ struct Method {
   std::optional<int> subdivisions;  ///< the authors', over a study's own
   std::optional<int> azimuths;      ///< the authors', over a study's own
   std::map<std::string, MethodParameter> parameters;
-  bool needsEye = false;              ///< declares that it needs a camera
+  bool needsEye = false;  ///< declares that it needs a camera
+  /// Set by who uses it on polygons as they are (see surface/polygon_surface.h): there its code is
+  /// compiled with ON_POLYGONS.
+  bool isOnPolygons = false;
   ShaderPiece source;                 ///< its file
   std::vector<ShaderPiece> code;      ///< the file with what it includes in its place
   std::vector<ShaderPiece> includes;  ///< the files that it includes, each once

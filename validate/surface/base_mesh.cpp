@@ -43,12 +43,35 @@ void alignDirections(std::span<BaseVertex> vertices) {
   }
 }
 
+/// At a hard edge the vertices on its two sides are kept apart: they have the first vertex with
+/// their own normal in the place of the first.
+void partByNormals(const BaseMesh& mesh, std::vector<std::uint32_t>& shared) {
+  constexpr double sameNormal = 1e-6;
+  std::vector<std::vector<std::uint32_t>> kinds(shared.size());  // at each first vertex
+  for (std::uint32_t vertex = 0; vertex < shared.size(); ++vertex) {
+    std::vector<std::uint32_t>& known = kinds[shared[vertex]];
+    const Vec3& normal = mesh.vertices[vertex].frame.normal;
+    const auto same = std::find_if(known.begin(), known.end(), [&](std::uint32_t other) {
+      return glm::length(mesh.vertices[other].frame.normal - normal) < sameNormal;
+    });
+    if (same == known.end()) {
+      known.push_back(vertex);
+      shared[vertex] = vertex;
+    } else {
+      shared[vertex] = *same;
+    }
+  }
+}
+
 /// Puts estimates in the place of the limit surface's curvatures.
 void estimateCurvatures(const LimitSurface& surface, const FaceGrids& grids, BaseMesh& mesh) {
   constexpr double bytesPerVertex = 320;  // the fit, its result and the shared vertex
   requireMemory(bytesPerVertex * static_cast<double>(mesh.vertices.size()),
                 fmt::format("curvature estimates of {} vertices", mesh.vertices.size()));
-  const auto estimates = estimatedCurvatures(mesh, firstVertices(surface, grids));
+  std::vector<std::uint32_t> shared = firstVertices(surface, grids);
+  if (surface.isPolygons()) partByNormals(mesh, shared);
+  const auto estimates = estimatedCurvatures(
+      mesh, shared, surface.isPolygons() ? EdgeCurvature::ofNormals : EdgeCurvature::ofCircle);
   for (std::size_t i = 0; i < estimates.size(); ++i) mesh.vertices[i].curvatures = estimates[i];
 }
 
@@ -114,7 +137,8 @@ struct Fit {
     e2 = glm::cross(n, e1);
   }
 
-  void addEdge(const Vec3& edge) {
+  /// @param rise  the curvature along the edge times the square of its length
+  void addEdge(const Vec3& edge, double rise) {
     const double x = glm::dot(edge, e1);
     const double y = glm::dot(edge, e2);
     const double tangential = std::hypot(x, y);
@@ -124,7 +148,7 @@ struct Fit {
     const double s = y / tangential;
     const Vec3 row(c * c, 2 * c * s, s * s);
     matrix += glm::outerProduct(row, row);
-    right += (-2 * glm::dot(normal, edge) / square) * row;
+    right += rise / square * row;
   }
 
   [[nodiscard]] PrincipalCurvatures solve() const {
@@ -142,7 +166,8 @@ struct Fit {
 }  // namespace
 
 std::vector<PrincipalCurvatures> estimatedCurvatures(const BaseMesh& mesh,
-                                                     std::span<const std::uint32_t> shared) {
+                                                     std::span<const std::uint32_t> shared,
+                                                     EdgeCurvature along) {
   std::vector<Fit> fits;
   fits.reserve(mesh.vertices.size());
   for (const std::uint32_t first : shared) fits.emplace_back(mesh.vertices[first].frame.normal);
@@ -151,8 +176,16 @@ std::vector<PrincipalCurvatures> estimatedCurvatures(const BaseMesh& mesh,
     const std::uint32_t a = shared[mesh.triangles[corner]];
     const std::uint32_t b = shared[mesh.triangles[next]];
     const Vec3 edge = mesh.vertices[b].frame.position - mesh.vertices[a].frame.position;
-    fits[a].addEdge(edge);
-    fits[b].addEdge(-edge);
+    if (along == EdgeCurvature::ofNormals) {
+      const double rise = glm::dot(mesh.vertices[mesh.triangles[next]].frame.normal -
+                                       mesh.vertices[mesh.triangles[corner]].frame.normal,
+                                   edge);
+      fits[a].addEdge(edge, rise);
+      fits[b].addEdge(-edge, rise);
+    } else {
+      fits[a].addEdge(edge, -2 * glm::dot(fits[a].normal, edge));
+      fits[b].addEdge(-edge, -2 * glm::dot(fits[b].normal, -edge));
+    }
   }
   std::vector<PrincipalCurvatures> result(mesh.vertices.size());
   parallelFor(

@@ -13,7 +13,7 @@ namespace gnomon::surface {
 
 /// One vertex of the base mesh: what the papers' vertex programs hand to the pixel.
 struct BaseVertex {
-  TexelFrame frame;                ///< of the limit surface
+  TexelFrame frame;                ///< of the surface
   PrincipalCurvatures curvatures;  ///< k1 < k2 where they were swapped: see makeBaseMesh
   int face;                        ///< the limit face that it belongs to
   Vec2 st;                         ///< its parameters on that face
@@ -30,7 +30,7 @@ struct BaseMesh {
 
 /// Where the principal curvatures of a base mesh come from.
 enum class CurvatureSource {
-  limit,     ///< the limit surface at the vertex
+  limit,     ///< the limit surface at the vertex; of polygons, which have none, as curvature.h says
   vertices,  ///< the mesh's own edges and normals: see estimatedCurvatures
 };
 
@@ -46,6 +46,14 @@ enum class CurvatureSource {
 BaseMesh makeBaseMesh(const LimitSurface& surface, Vec2 texelsPerUv, int subdivisions,
                       CurvatureSource curvature = CurvatureSource::limit);
 
+/// The curvature along an edge d of a mesh.
+enum class EdgeCurvature {
+  ofCircle,  ///< -2 n·d / d²: of the circle through both ends
+  ofNormals,  ///< (n₂ - n₁)·d / d²: by the normals at both ends (Rusinkiewicz 2004). On a sphere
+              ///< the same; and the same however often a flat polygon is cut, between whose corners
+              ///< the circle would be flat or twice as sharp
+};
+
 /// Principal curvatures at the vertices of a polygon mesh from the mesh alone, as for a program
 /// that has polygons and normals but no limit surface. Along an edge d from a vertex with normal n
 /// the circle through both ends and tangent at the vertex has the curvature -2 n·d / d² (convex
@@ -57,8 +65,10 @@ BaseMesh makeBaseMesh(const LimitSurface& surface, Vec2 texelsPerUv, int subdivi
 /// difference of curvatures is taken. Zero at a vertex without a normal.
 /// @param shared  for each vertex the first vertex at the same place (see firstVertices): their
 ///   edges are taken together, with the normal of the first
+/// @param along   what an edge's curvature is; on polygons `ofNormals`
 /// @returns one entry a vertex
 std::vector<PrincipalCurvatures> estimatedCurvatures(const BaseMesh& mesh,
-                                                     std::span<const std::uint32_t> shared);
+                                                     std::span<const std::uint32_t> shared,
+                                                     EdgeCurvature along = EdgeCurvature::ofCircle);
 
 }  // namespace gnomon::surface

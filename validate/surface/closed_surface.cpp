@@ -35,6 +35,11 @@ namespace {
 struct VertexSide {
   int low, high;
   FaceSide of;
+  bool rises;  ///< whether it runs from the lower vertex to the higher
+
+  [[nodiscard]] bool isAt(const VertexSide& other) const {
+    return low == other.low && high == other.high;
+  }
 
   [[nodiscard]] auto order() const { return std::tie(low, high, of.face, of.side); }
 };
@@ -47,18 +52,20 @@ std::vector<SharedSide> sharedSides(const LimitSurface& surface) {
   for (int face = 0; face < surface.faceCount(); ++face) {
     const std::array<int, 4> corners = surface.corners(face);
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto [low, high] = std::minmax(corners.at(k), corners.at((k + 1) % 4));
-      sides.push_back({low, high, {face, static_cast<int>(k)}});
+      const int from = corners.at(k);
+      const int to = corners.at((k + 1) % 4);
+      sides.push_back(
+          {std::min(from, to), std::max(from, to), {face, static_cast<int>(k)}, from < to});
     }
   }
   std::sort(sides.begin(), sides.end(),
             [](const VertexSide& a, const VertexSide& b) { return a.order() < b.order(); });
   std::vector<SharedSide> shared;
-  // A LimitSurface has at most two faces at an edge.
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    const VertexSide& a = sides[i - 1];
-    const VertexSide& b = sides[i];
-    if (a.low == b.low && a.high == b.high) shared.push_back({a.of, b.of});
+  // At an edge of polygons any number of faces may meet, and two may run in the same direction.
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+    while (end < sides.size() && sides[end].isAt(sides[begin])) ++end;
+    if (end - begin != 2 || sides[begin].rises == sides[begin + 1].rises) continue;
+    shared.push_back({sides[begin].of, sides[begin + 1].of});
   }
   return shared;
 }

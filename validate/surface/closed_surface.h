@@ -27,7 +27,8 @@ struct SharedSide {
 };
 
 /// All edges with a face on both sides, by their cage vertices. An edge with one face is the
-/// surface's border and is not listed.
+/// surface's border and is not listed; nor is one of polygons where more than two meet, or two that
+/// run along it in the same direction.
 std::vector<SharedSide> sharedSides(const LimitSurface& surface);
 
 /// Which edges of a surface's faces must be cut into the same number of pieces, if every face is to

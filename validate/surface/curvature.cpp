@@ -25,9 +25,16 @@ ShapeOperator shapeOperator(const LimitPoint& point) {
   // P_t = a e1 + b e2, so e2 = (P_t - (a / length) P_s) / b.
   const double a = glm::dot(point.dt, e1) / length;
   const double b = glm::dot(point.dt, e2);
-  const double e = -glm::dot(point.dss, n);
-  const double f = -glm::dot(point.dst, n);
-  const double g = -glm::dot(point.dtt, n);
+  double e = -glm::dot(point.dss, n);
+  double f = -glm::dot(point.dst, n);
+  double g = -glm::dot(point.dtt, n);
+  if (point.ownNormal != Vec3(0)) {
+    // By Weingarten's equations, -P_st · n = P_s · n_t = P_t · n_s; of N, which is no surface's,
+    // the two differ.
+    e = glm::dot(point.ds, point.ownNormalDs);
+    f = (glm::dot(point.ds, point.ownNormalDt) + glm::dot(point.dt, point.ownNormalDs)) / 2;
+    g = glm::dot(point.dt, point.ownNormalDt);
+  }
   const double l11 = e / (length * length);
   const double l12 = (f - a * e) / (length * b);
   const double l22 = (g - 2 * a * f + a * a * e) / (b * b);

@@ -27,7 +27,8 @@ struct ShapeOperator {
   [[nodiscard]] PrincipalCurvatures principal(double umbilic) const;
 };
 
-/// Zero where the surface is degenerate.
+/// Zero where the surface is degenerate. Of a point with an own normal it is the turn of that (see
+/// PolygonSurface), the mean of which and of its transpose counts.
 ShapeOperator shapeOperator(const LimitPoint& point);
 
 /// From the fundamental forms I = (E, F, G), II = (e, f, g): with H = (eG - 2fF + gE) / 2(EG - F²)

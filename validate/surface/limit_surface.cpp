@@ -12,6 +12,7 @@
 #include "common/error.h"
 #include "common/parallel.h"
 #include "common/system/memory.h"
+#include "surface/polygon_surface.h"
 
 namespace gnomon::surface {
 
@@ -118,6 +119,7 @@ struct LimitSurface::Implementation {
     Surface surface;
   };
 
+  std::optional<PolygonSurface> polygons;  ///< in place of patches
   std::vector<Patch> patches;
   std::size_t facesPerPatch = 1;  ///< 3 where patches are triangles
   std::vector<Vec3> patchPoints;
@@ -126,8 +128,11 @@ struct LimitSurface::Implementation {
   std::optional<GridChart> grid;
   int vertexCount = 0;
 
+  void makeLimit(const Cage& cage);
   void initialise(const Factory& factory, const Cage& cage);
   void preparePatchPoints(const Cage& cage);
+  void takeCorners(const Cage& cage, std::size_t cageFace, std::size_t face);
+  void takePolygons(const Cage& cage);
   void takeQuadrilaterals(const Cage& cage);
   void takeTriangles(const Cage& cage, const OpenSubdiv::Far::TopologyLevel& level);
   [[nodiscard]] std::size_t requireFace(int face) const;
@@ -179,16 +184,20 @@ void LimitSurface::Implementation::preparePatchPoints(const Cage& cage) {
       grain);
 }
 
+/// Of a face with four corners.
+void LimitSurface::Implementation::takeCorners(const Cage& cage, std::size_t cageFace,
+                                               std::size_t face) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t corner = 4 * cageFace + k;
+    corners[face][k] = cage.faceVertices[corner];
+    uvs[face][k] = cage.uvs[static_cast<std::size_t>(cage.faceUvs[corner])];
+  }
+}
+
 void LimitSurface::Implementation::takeQuadrilaterals(const Cage& cage) {
   corners.resize(patches.size());
   uvs.resize(patches.size());
-  for (std::size_t i = 0; i < patches.size(); ++i) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t corner = 4 * patches[i].cageFace + k;
-      corners[i][k] = cage.faceVertices[corner];
-      uvs[i][k] = cage.uvs[static_cast<std::size_t>(cage.faceUvs[corner])];
-    }
-  }
+  for (std::size_t i = 0; i < patches.size(); ++i) takeCorners(cage, patches[i].cageFace, i);
   vertexCount = static_cast<int>(cage.positions.size());
 }
 
@@ -251,7 +260,7 @@ void LimitSurface::Implementation::addTexture(std::size_t face, double s, double
   point.uvDt = (1 - s) * (uv3 - uv0) + s * (uv2 - uv1);
 }
 
-LimitSurface::LimitSurface(const Cage& cage) : implementation_(std::make_unique<Implementation>()) {
+void LimitSurface::Implementation::makeLimit(const Cage& cage) {
   const std::size_t count = cage.faceVertices.size() / cage.faceSize();
   requireMemory(bytesPerFace * static_cast<double>(count),
                 fmt::format("limit surface of {} faces", count));
@@ -266,13 +275,34 @@ LimitSurface::LimitSurface(const Cage& cage) : implementation_(std::make_unique<
                                             .border = cage.border,
                                             .scheme = cage.scheme},
                                            PartNames{}, false);
-  Implementation& self = *implementation_;
-  self.initialise(Factory(*refiner, factoryOptions()), cage);
-  self.preparePatchPoints(cage);
+  initialise(Factory(*refiner, factoryOptions()), cage);
+  preparePatchPoints(cage);
   if (cage.scheme == SubdivisionScheme::loop) {
-    self.takeTriangles(cage, refiner->GetLevel(0));
+    takeTriangles(cage, refiner->GetLevel(0));
   } else {
-    self.takeQuadrilaterals(cage);
+    takeQuadrilaterals(cage);
+  }
+}
+
+/// Every face of the cage has its own; a triangle's were made with the cage.
+void LimitSurface::Implementation::takePolygons(const Cage& cage) {
+  polygons.emplace(cage);
+  facesPerPatch = static_cast<std::size_t>(cage.facesPerPolygon);
+  const std::size_t count = cage.faceVertices.size() / 4;
+  corners.resize(count);
+  uvs.resize(count);
+  for (std::size_t face = 0; face < count; ++face) {
+    takeCorners(cage, face, face);
+  }
+  vertexCount = static_cast<int>(cage.positions.size());
+}
+
+LimitSurface::LimitSurface(const Cage& cage) : implementation_(std::make_unique<Implementation>()) {
+  Implementation& self = *implementation_;
+  if (cage.scheme == SubdivisionScheme::none) {
+    self.takePolygons(cage);
+  } else {
+    self.makeLimit(cage);
   }
   self.grid = cage.grid;
   if (self.grid &&
@@ -291,6 +321,10 @@ LimitSurface& LimitSurface::operator=(LimitSurface&&) noexcept = default;
 
 int LimitSurface::faceCount() const {
   return static_cast<int>(implementation_->corners.size());
+}
+
+bool LimitSurface::isPolygons() const {
+  return implementation_->polygons.has_value();
 }
 
 int LimitSurface::facesPerCageFace() const {
@@ -315,6 +349,11 @@ int LimitSurface::vertexCount() const {
 
 LimitPoint LimitSurface::evaluate(int face, double s, double t) const {
   const std::size_t index = implementation_->requireFace(face);
+  if (implementation_->polygons) {
+    LimitPoint point = implementation_->polygons->evaluate(index, s, t);
+    implementation_->addTexture(index, s, t, point);
+    return point;
+  }
   const std::size_t perPatch = implementation_->facesPerPatch;
   const Implementation::Patch& patch = implementation_->patches[index / perPatch];
   LimitPoint point = perPatch == 1 ? implementation_->position(patch, {s, t})
@@ -326,6 +365,12 @@ LimitPoint LimitSurface::evaluate(int face, double s, double t) const {
 }
 
 TangentPoint LimitSurface::tangentPoint(int face, double s, double t) const {
+  if (implementation_->polygons) {
+    const std::size_t index = implementation_->requireFace(face);
+    TangentPoint point = implementation_->polygons->tangentPoint(index, s, t);
+    implementation_->addTexture(index, s, t, point);
+    return point;
+  }
   if (implementation_->facesPerPatch != 1) {
     const LimitPoint all = evaluate(face, s, t);
     const TangentPoint& first = all;  // without the second derivatives
@@ -343,7 +388,8 @@ TangentPoint LimitSurface::tangentPoint(int face, double s, double t) const {
 
 bool LimitSurface::isBicubic(int face) const {
   const std::size_t index = implementation_->requireFace(face);
-  return implementation_->facesPerPatch == 1 && implementation_->patches[index].surface.IsRegular();
+  return !implementation_->polygons && implementation_->facesPerPatch == 1 &&
+         implementation_->patches[index].surface.IsRegular();
 }
 
 Vec3 outwardNormal(const TangentPoint& point) {

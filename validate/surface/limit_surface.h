@@ -32,16 +32,26 @@ struct TangentPoint {
   Vec3 position;
   Vec3 ds, dt;          ///< first derivatives
   Vec2 uv, uvDs, uvDt;  ///< texture coordinates and their first derivatives
+  /// Of polygons, which have their own (see PolygonSurface), unit vectors: the normal of shading,
+  /// and the direction in which the point is displaced. Zero on a limit surface, and where an own
+  /// one is undefined: outwardNormal is both there.
+  Vec3 ownNormal{0}, ownDirection{0};
 };
 
 /// The same with second derivatives, for curvature.
 struct LimitPoint : TangentPoint {
   Vec3 dss, dst, dtt;
+  Vec3 ownNormalDs{0}, ownNormalDt{0};  ///< first derivatives of `ownNormal`
 };
 
 /// P_s × P_t normalised: the outward normal, since faces run counter-clockwise seen from outside.
 /// Zero where P_s and P_t span no area (less than 1e-12 of the square of the longer one).
 Vec3 outwardNormal(const TangentPoint& point);
+
+/// The normal that the point is shaded with: its own, or outwardNormal.
+inline Vec3 shadingNormal(const TangentPoint& point) {
+  return point.ownNormal == Vec3(0) ? outwardNormal(point) : point.ownNormal;
+}
 
 /// The limit surface of a cage by its scheme, evaluated at any parameter by OpenSubdiv's Bfr at
 /// approximation level 10: exact to rounding, except within 2⁻¹⁰ of a face from an extraordinary
@@ -54,6 +64,9 @@ Vec3 outwardNormal(const TangentPoint& point);
 /// corner, (1, 0) the middle of the side that leaves it, (1, 1) the triangle's centroid and (0, 1)
 /// the middle of the side that comes to it, bilinearly between them. All const members may be
 /// called from several threads at once.
+///
+/// Of a cage of scheme `none` it is the polygons themselves, evaluated by PolygonSurface: no
+/// refinement, and no limit. Any number of their faces may meet at an edge.
 class LimitSurface {
  public:
   /// @throws InputError naming the face, vertex or crease: an index out of range, a coordinate that
@@ -70,6 +83,8 @@ class LimitSurface {
   LimitSurface& operator=(const LimitSurface&) = delete;
 
   [[nodiscard]] int faceCount() const;
+  /// Whether it is polygons as they are, whose points have own normals.
+  [[nodiscard]] bool isPolygons() const;
   /// How many faces a cage face counts as, one after the other: 1, or the 3 of a triangle.
   [[nodiscard]] int facesPerCageFace() const;
   /// The regular grid that the faces form, if they form one.

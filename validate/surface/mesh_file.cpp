@@ -1,6 +1,7 @@
 #include "surface/mesh_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -67,9 +68,7 @@ void requireMesh(const std::string& source, std::string_view bytes, const MeshFo
   if (std::count(head.begin(), head.end(), '\0') == 2) refuse(otherText, "UTF-16");
 }
 
-}  // namespace
-
-Cage readMeshFile(const std::filesystem::path& path, SubdivisionScheme scheme) {
+PolygonMesh readPolygons(const std::filesystem::path& path, bool withNormals) {
   const std::string source = path.string();
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -87,7 +86,36 @@ Cage readMeshFile(const std::filesystem::path& path, SubdivisionScheme scheme) {
   if (!error) requireMemory(format.memory * static_cast<double>(size), source);
   const std::string bytes = readFile(path);
   requireMesh(source, bytes, format);
-  return toCage(format.read(source, bytes), scheme);
+  return format.read(source, bytes, withNormals);
+}
+
+}  // namespace
+
+Cage readMeshFile(const std::filesystem::path& path, SubdivisionScheme scheme) {
+  return toCage(readPolygons(path, scheme == SubdivisionScheme::none), scheme);
+}
+
+std::string schemeChoice(const std::filesystem::path& path) {
+  const PolygonMesh mesh = readPolygons(path, false);
+  const auto countOf = [&mesh](int corners) {
+    return std::count(mesh.faceSizes.begin(), mesh.faceSizes.end(), corners);
+  };
+  const auto all = static_cast<std::ptrdiff_t>(mesh.faceSizes.size());
+  const auto triangles = countOf(3);
+  const auto quadrilaterals = countOf(4);
+  std::vector<std::string> kinds;
+  const auto add = [&kinds](std::ptrdiff_t count, const char* one, const char* several) {
+    if (count > 0) kinds.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
+  };
+  add(triangles, "triangle", "triangles");
+  add(quadrilaterals, "quadrilateral", "quadrilaterals");
+  add(all - triangles - quadrilaterals, "larger polygon", "larger polygons");
+  const bool isLoop = triangles == all;
+  return fmt::format(
+      "{}: catmull-clark would round {} to a smooth surface, as the control cage of a subdivision "
+      "surface (a box becomes a ball){}; none keeps {}",
+      fmt::join(kinds, ", "), all == 1 ? "it" : "them",
+      isLoop ? ", loop too" : ", loop cannot take what is no triangle", all == 1 ? "it" : "them");
 }
 
 }  // namespace gnomon::surface

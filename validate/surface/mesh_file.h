@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "surface/cage/cage.h"
 
@@ -12,5 +13,10 @@ namespace gnomon::surface {
 ///   (compressed, UTF-16, another format of meshes), and as they do
 Cage readMeshFile(const std::filesystem::path& file,
                   SubdivisionScheme scheme = SubdivisionScheme::catmullClark);
+
+/// What each scheme would make of a mesh file: "12 triangles: catmull-clark would round them …;
+/// none keeps them".
+/// @throws InputError as readMeshFile, for what is no mesh
+std::string schemeChoice(const std::filesystem::path& path);
 
 }  // namespace gnomon::surface

@@ -6,7 +6,7 @@
 
 namespace gnomon::surface {
 
-TexelFrame texelFrame(const TangentPoint& point, Vec2 texelsPerUv) {
+TexelFrame tangentFrame(const TangentPoint& point, Vec2 texelsPerUv) {
   const Vec2 texel = point.uv * texelsPerUv;
   const Vec2 xyS = point.uvDs * texelsPerUv;
   const Vec2 xyT = point.uvDt * texelsPerUv;
@@ -19,6 +19,28 @@ TexelFrame texelFrame(const TangentPoint& point, Vec2 texelsPerUv) {
   const Vec3 px = (xyT.y * point.ds - xyS.y * point.dt) / determinant;
   const Vec3 py = (xyS.x * point.dt - xyT.x * point.ds) / determinant;
   return {point.position, normal, px, py, texel, true};
+}
+
+TexelFrame texelFrame(const TangentPoint& point, Vec2 texelsPerUv) {
+  TexelFrame frame = tangentFrame(point, texelsPerUv);
+  if (point.ownNormal == Vec3(0) || frame.normal == Vec3(0)) return frame;
+  // The rotation from n to N (Rodrigues), by axis times sine and cosine.
+  const Vec3 axis = glm::cross(frame.normal, point.ownNormal);
+  const double cosine = glm::dot(frame.normal, point.ownNormal);
+  frame.normal = point.ownNormal;
+  frame.ownDirection = point.ownDirection;
+  if (!(1 + cosine > 1e-9)) {  // N is turned over: no way is the shortest
+    frame.px = frame.py = Vec3(0);
+    frame.defined = false;
+    return frame;
+  }
+  const auto turned = [&](const Vec3& v) {
+    const Vec3 across = glm::cross(axis, v);
+    return v + across + glm::cross(axis, across) / (1 + cosine);
+  };
+  frame.px = turned(frame.px);
+  frame.py = turned(frame.py);
+  return frame;
 }
 
 double LocalLight::azimuth() const {

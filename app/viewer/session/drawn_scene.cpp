@@ -72,9 +72,10 @@ void DrawnScene::upload(const MethodData& method) {
 }
 
 void DrawnScene::compile(const std::string& label, const MethodData& method, bool again) {
-  std::string key = fmt::format(
-      "{}\n{}\n{}\n{}\n{}", method.spec.file.string(), static_cast<int>(method.spec.filter),
-      static_cast<int>(data_->heights->wrap()), method.spec.disc, data_->soft);
+  std::string key =
+      fmt::format("{}\n{}\n{}\n{}\n{}\n{}", method.spec.file.string(),
+                  static_cast<int>(method.spec.filter), static_cast<int>(data_->heights->wrap()),
+                  method.spec.disc, data_->soft, method.method.isOnPolygons);
   for (const auto& [name, value] : method.spec.parameters) {
     key += fmt::format("\n{}={}", name, value);
   }

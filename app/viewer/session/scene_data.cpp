@@ -113,6 +113,7 @@ std::shared_ptr<const MethodData> SceneMaker::method(const SceneData& scene,
   MethodData data{spec, render::readMethod(spec.file), {}, {}, {}, {}, {}};
   progress("Trying methods")(0);
   requireTried(spec, data.method, scene.heights->wrap());
+  data.method.isOnPolygons = scene.surface->isPolygons();
   data.mesh = study::meshOf(spec, data.method);
   data.lightMesh = study::lightMeshOf(spec, data.method);
   const render::MethodTables& declared = data.method.tables;

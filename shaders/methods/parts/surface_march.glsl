@@ -33,7 +33,7 @@ about = "longest part of the way between two of its places that are solved for, 
 // at the end of the map or of the search; at the border of a chart, and where another chart has the
 // texels; and in a fold so narrow that columns of relief meet.
 
-vec3 passColumn(Pixel pixel) { return pixel.worldPerHeight * pixel.normal; }
+vec3 passColumn(Pixel pixel) { return pixel.worldPerHeight * columnAxis(pixel); }
 
 // The surface at a place of the map, with its changes per texel.
 struct Surface {
@@ -81,7 +81,11 @@ Surface surfaceAt(vec2 at) {
   there.pointY = mix(p01.xyz - p00.xyz, p11.xyz - p10.xyz, f.x);
   vec3 c = there.column;
   float square = max(dot(c, c), 1e-30);
+#ifdef ON_POLYGONS
+  vec2 rise = vec2(0.0);  // flat between texels
+#else
   vec2 rise = 0.5 * vec2(dot(there.pointX, there.columnX), dot(there.pointY, there.columnY)) / square;
+#endif
   vec2 growth = vec2(dot(there.columnX, c), dot(there.columnY, c)) / square;  // of a, relative
   vec2 changeSquared = vec2(dot(there.columnX, there.columnX), dot(there.columnY, there.columnY)) / square;
   vec2 turn = 0.5 * (changeSquared - growth * growth);
@@ -112,7 +116,7 @@ Surface surfaceOf(Pixel pixel) {
   there.point = surfacePoint(pixel);
   there.pointX = pixel.px;
   there.pointY = pixel.py;
-  there.column = pixel.worldPerHeight * pixel.normal;
+  there.column = pixel.worldPerHeight * columnAxis(pixel);
   there.columnX = pixel.worldPerHeight * turnOfNormal(pixel, pixel.px);
   there.columnY = pixel.worldPerHeight * turnOfNormal(pixel, pixel.py);
   return there;
@@ -120,8 +124,12 @@ Surface surfaceOf(Pixel pixel) {
 
 // The normal of D with all its terms: D_x = P_x + a h_x n + h (a n_x + a_x n), a_x from the maps.
 vec3 shadingNormal(Pixel pixel) {
-  Surface there = surfaceOf(pixel);
   Cell cell = heightCell(pixel.texel);
+#ifdef ON_POLYGONS
+  return displacedNormal(pixel, pixel.worldPerHeight * gradientIn(cell),
+                         pixel.worldPerHeight * heightIn(cell));
+#else
+  Surface there = surfaceOf(pixel);
   float height = heightIn(cell);
   vec2 rise = pixel.worldPerHeight * gradientIn(cell);
   vec3 n = pixel.normal;
@@ -130,6 +138,7 @@ vec3 shadingNormal(Pixel pixel) {
   vec3 facet = normalize(cross(displacedSide(pixel, pixel.px, rise.x, height),
                                displacedSide(pixel, pixel.py, rise.y, height)));
   return dot(facet, n) < 0.0 ? -facet : facet;
+#endif
 }
 
 // (x, y, η) of a world vector at a height over the surface: texels and height units.

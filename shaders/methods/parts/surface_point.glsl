@@ -7,7 +7,21 @@ about = "P, world"
 */
 
 // The limit surface at a pixel: its point, and how its normal turns. The camera draws a coarse mesh,
-// which lies below the surface where that is convex.
+// which lies below the surface where that is convex. Polygons as they are (ON_POLYGONS) are what is
+// drawn; their points are displaced along a direction of their own, which hard edges share.
+
+#ifdef ON_POLYGONS
+
+layout(location = 12) in vec3 columnDirection;
+
+// What the relief rises along at a pixel: unit vector.
+vec3 columnAxis(Pixel pixel) { return normalize(columnDirection); }
+
+vec3 surfacePoint(Pixel pixel) { return pixel.position; }
+
+#else
+
+vec3 columnAxis(Pixel pixel) { return pixel.normal; }
 
 // P from the drawn triangle. Where corners p_i with normals n_i have the weights w_i, the surface
 // stands ½ Σ w_i κ |p_i - p|² above, and the interpolated normal is shorter than 1 by
@@ -20,6 +34,8 @@ vec3 surfacePoint(Pixel pixel) {
   float above = squares > 0.0 ? shorter * (pixel.k1 + pixel.k2) / squares : 0.0;
   return pixel.position + above * pixel.normal;
 }
+
+#endif
 
 // n_x along a tangent vector of P_x's kind (Weingarten: the normal turns with the curvature).
 vec3 turnOfNormal(Pixel pixel, vec3 along) {
@@ -35,6 +51,29 @@ vec3 displacedSide(Pixel pixel, vec3 along, float rise, float height) {
   vec3 n = pixel.normal;
   return along + (rise - dot(along, n)) * n + height * turnOfNormal(pixel, along);
 }
+
+#ifdef ON_POLYGONS
+
+// The normal of D = P + a h d from P and d themselves, which are linear on the drawn triangle: their
+// changes per texel follow from those from pixel to pixel. N' where the triangle is seen from its edge.
+// @param rise    of the relief per texel, world
+// @param height  of the relief, world
+vec3 displacedNormal(Pixel pixel, vec2 rise, float height) {
+  vec3 d = columnAxis(pixel);
+  mat2 texels = mat2(dFdx(texel), dFdy(texel));
+  mat2x3 points = mat2x3(dFdx(position), dFdy(position));
+  mat2x3 axes = mat2x3(dFdx(d), dFdy(d));
+  float area = determinant(texels);
+  if (!(area * area > 1e-8 * dot(texels[0], texels[0]) * dot(texels[1], texels[1]))) {
+    return bumpedNormal(pixel, rise / pixel.worldPerHeight);
+  }
+  mat2 perTexel = inverse(texels);
+  mat2x3 sides = (points + height * axes) * perTexel;
+  vec3 facet = normalize(cross(sides[0] + rise.x * d, sides[1] + rise.y * d));
+  return dot(facet, pixel.normal) < 0.0 ? -facet : facet;
+}
+
+#endif
 
 vec3 passPoint(Pixel pixel) { return surfacePoint(pixel); }
 

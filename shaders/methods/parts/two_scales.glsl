@@ -80,7 +80,7 @@ DepthPlace depthPlaceOf(Pixel pixel, LocalLight light, Path path, float piece, v
   at.less = piece_bias * piece * (1.0 + 0.5 * slope) / lightMapLengths.y;
   at.near = at.allowance * texelsPerWorld;
   at.texelsPerDepth = lightMapLengths.y * texelsPerWorld;
-  at.place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
+  at.place = lightMapPlace(surfacePoint(pixel) + path.height * columnAxis(pixel));
   at.place.z -= at.allowance / lightMapLengths.y;
   at.tilt = lightMapTilt(facet, max(cosine, 1.0 / steepest));
   at.texelsPerWorld = 1.0 / path.worldPerTexel;

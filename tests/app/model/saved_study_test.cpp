@@ -152,6 +152,7 @@ title = "t"
 source = "s"
 [surface]
 mesh = "spot.obj"
+scheme = "catmull-clark"
 [relief]
 image = "maps/dem.png"
 height = 2

@@ -158,6 +158,7 @@ std::vector<std::string> methodDefines(const Method& method, relief::Wrap wrap,
   if (method.hasOwnNormal) defines.emplace_back("OWN_NORMAL");
   if (method.hasTest) defines.emplace_back("OWN_TEST");
   if (method.hasHorizon) defines.emplace_back("OWN_HORIZON");
+  if (method.isOnPolygons) defines.emplace_back("ON_POLYGONS");
   if (filter == TableFilter::hardware) defines.emplace_back("FILTER_HARDWARE");
   return defines;
 }

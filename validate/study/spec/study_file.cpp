@@ -54,10 +54,10 @@ void requireOwnNames(const TomlReader& section, const surface::Cage& cage) {
 }
 
 surface::Cage sharedCage(StudyParts& parts, const TomlReader& section,
-                         const SurfaceSection& surface, const fs::path& folder) {
+                         const SurfaceSection& surface, const fs::path& folder, bool inSuite) {
   const std::string key = keyOf(section);
   if (parts.cage == nullptr || parts.surfaceKey != key) {
-    parts.cage = std::make_shared<const surface::Cage>(cageOf(surface, section, folder));
+    parts.cage = std::make_shared<const surface::Cage>(cageOf(surface, section, folder, inSuite));
     requireOwnNames(section, *parts.cage);
     parts.surfaceKey = key;
     parts.limit.reset();
@@ -68,6 +68,17 @@ surface::Cage sharedCage(StudyParts& parts, const TomlReader& section,
 const surface::LimitSurface& sharedLimit(StudyParts& parts) {
   if (!parts.limit) parts.limit = std::make_shared<const surface::LimitSurface>(*parts.cage);
   return *parts.limit;
+}
+
+bool isPolygons(const surface::Cage& cage) {
+  return cage.scheme == surface::SubdivisionScheme::none;
+}
+
+void requireCurvature(const TomlReader& section, const surface::Cage& cage, const BaseSpec& base) {
+  if (!isPolygons(cage) || base.curvature == surface::CurvatureSource::vertices) return;
+  section.fail("curvature",
+               "\"limit\" found, but with surface.scheme = \"none\" the polygons are no limit "
+               "surface's cage: \"vertices\" expected, the curvature of the mesh itself");
 }
 
 relief::Relief sharedRelief(StudyParts& parts, const TomlReader& section,
@@ -217,7 +228,8 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
   const TomlReader relief = root.table("relief");
   const SurfaceSection surfaceSection = readSurfaceSection(surface);
   ReliefSection reliefSection = readReliefSection(relief);
-  const surface::Cage& cage = sharedCage(parts, surface, surfaceSection, folder);
+  const surface::Cage& cage =
+      sharedCage(parts, surface, surfaceSection, folder, !header.suite.empty());
   if (!relief.has("wrap")) reliefSection.wrap = relief::defaultWrap(cage, reliefSection.repeats);
   StudySpec study{header, file, cage, sharedRelief(parts, relief, reliefSection, folder)};
   study.surfaceSection = surfaceSection;
@@ -225,7 +237,11 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
   study.text = text.text;
   for (const TomlReader* section : {&surface, &relief}) section->finish();
 
-  if (const auto base = root.optionalTable("base")) readSection(*base, keysOf(study.base));
+  if (isPolygons(cage)) study.base.curvature = surface::CurvatureSource::vertices;
+  if (const auto base = root.optionalTable("base")) {
+    readSection(*base, keysOf(study.base));
+    requireCurvature(*base, cage, study.base);
+  }
   if (const auto truth = root.optionalTable("truth")) readTruth(*truth, study);
   if (study.quick) {
     study.frames = 0;
@@ -246,6 +262,8 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
                                 study.base, study.relief.resample,  parts.methods};
   for (const TomlReader& method : root.tables("method")) {
     study.methods.push_back(readMethodSection(method, defaults));
+    const auto base = method.optionalTable("base");
+    requireCurvature(base ? *base : method, cage, study.methods.back().base);
   }
   const auto name = [](const auto& entry) { return entry.name; };
   requireDistinct(study.views, name, file.string(), "view");
@@ -259,6 +277,11 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
     study.claims.push_back(readClaim(claim, study));
   }
   study.ladders = readLadders(root, study, defaults);
+  for (const LadderSpec& ladder : study.ladders) {
+    for (const auto* states : {&ladder.forward, &ladder.backward}) {
+      for (const MethodSpec& state : *states) requireCurvature(root, cage, state.base);
+    }
+  }
   (void)root.find("sweep");
   root.finish();
   reduce(study, options);

@@ -220,8 +220,7 @@ std::string PartNames::sharpVertex(std::size_t index) const {
   return part(*this, sharpVertexLines, index, "corner");
 }
 
-std::unique_ptr<Far::TopologyRefiner> makeTopologyRefiner(const Polygons& polygons,
-                                                          const PartNames& names, bool withUvs) {
+void requirePolygons(const Polygons& polygons, const PartNames& names) {
   requireSizes(polygons, names);
   requireCoordinates(polygons.positions, "vertex", names);
   requireCoordinates(polygons.uvs, "texture coordinate", names);
@@ -230,6 +229,11 @@ std::unique_ptr<Far::TopologyRefiner> makeTopologyRefiner(const Polygons& polygo
     requireFace(polygons, face, begin, names);
     begin += static_cast<std::size_t>(polygons.faceSizes[face]);
   }
+}
+
+std::unique_ptr<Far::TopologyRefiner> makeTopologyRefiner(const Polygons& polygons,
+                                                          const PartNames& names, bool withUvs) {
+  requirePolygons(polygons, names);
   const Sharpness sharpness = gatherSharpness(polygons, names);
   requireCreaseEdges(polygons, names);
 

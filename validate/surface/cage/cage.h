@@ -32,10 +32,11 @@ enum class CageBorder {
   support,          ///< the outermost faces only support the inner ones and have no limit surface
 };
 
-/// Which limit surface a cage stands for.
+/// Which surface a cage stands for.
 enum class SubdivisionScheme {
   catmullClark,  ///< of quadrilaterals (Catmull & Clark 1978): bicubic B-splines where regular
   loop,          ///< of triangles (Loop 1987): quartic box splines where regular
+  none,          ///< the polygons as they are: see polygon_cage.h
 };
 
 /// The faces with a limit surface form a regular grid: face `row * columns + column`, s along the
@@ -75,6 +76,15 @@ struct Cage {
   std::vector<std::string> partNames;
   std::vector<int> faceParts;
   JoinedVertices joined;
+  /// Of scheme `none` only, which makePolygonCage fills: the direction in which each position is
+  /// displaced; normals of shading, which corner k of face f has as `normals[faceNormals[4 f +
+  /// k]]`; and how many faces, one after the other, a polygon became (3 for triangles; 1 for
+  /// quadrilaterals, and where it differs). Middles of sides and of polygons have means of the
+  /// corners' unit vectors, so that those interpolate as the corners' do.
+  std::vector<Vec3> directions;
+  std::vector<Vec3> normals;
+  std::vector<int> faceNormals;
+  int facesPerPolygon = 1;
 
   /// n: corners of a face.
   [[nodiscard]] std::size_t faceSize() const { return scheme == SubdivisionScheme::loop ? 3 : 4; }
@@ -98,10 +108,12 @@ struct Polygons {
   std::span<const int> faceVertices;
   std::span<const Vec2> uvs;
   std::span<const int> faceUvs;
-  std::span<const Crease> creases;
-  std::span<const SharpVertex> sharpVertices;
+  std::span<const Crease> creases = {};
+  std::span<const SharpVertex> sharpVertices = {};
   CageBorder border = CageBorder::edgesAndCorners;
   SubdivisionScheme scheme = SubdivisionScheme::catmullClark;
+  std::span<const Vec3> normals = {};     ///< scheme `none` alone reads them
+  std::span<const int> faceNormals = {};  ///< of each corner, below 0 where it has none; or empty
 };
 
 /// What an error message calls the parts of a mesh.
@@ -116,6 +128,11 @@ struct PartNames {
   [[nodiscard]] std::string crease(std::size_t index) const;
   [[nodiscard]] std::string sharpVertex(std::size_t index) const;
 };
+
+/// Checks what all schemes ask of polygons.
+/// @throws InputError naming the part: an index out of range, a coordinate that is not finite or
+///   beyond 1e12, a face with fewer than three corners or with a repeated vertex
+void requirePolygons(const Polygons& polygons, const PartNames& names);
 
 /// Checks the polygons and makes the OpenSubdiv refiner of their scheme.
 /// @param withUvs  adds the texture coordinates as face-varying channel 0, linear everywhere

@@ -31,7 +31,7 @@ bool dropComment(std::vector<std::string_view>& tokens) {
 /// Whether a line of numbers goes on in the next, by a \\ at its end, which is dropped. Names and
 /// paths of other lines may end in one.
 bool dropContinuation(std::vector<std::string_view>& tokens) {
-  constexpr std::array<std::string_view, 4> keywords = {"v", "vt", "f", "t"};
+  constexpr std::array<std::string_view, 5> keywords = {"v", "vt", "vn", "f", "t"};
   if (tokens.empty() || !tokens.back().ends_with('\\') ||
       std::find(keywords.begin(), keywords.end(), tokens.front()) == keywords.end()) {
     return false;
@@ -50,7 +50,9 @@ std::string partOf(const TextLine& line) {
 /// lines known to be well formed, and tags are read here.
 class LineReader {
  public:
-  explicit LineReader(const std::string& source) { names_.source = source; }
+  LineReader(const std::string& source, bool withNormals) : withNormals_(withNormals) {
+    names_.source = source;
+  }
 
   void read(std::string_view text);
 
@@ -71,6 +73,7 @@ class LineReader {
   void appendIndex(const TextLine& line, std::string_view token, std::size_t count,
                    std::string_view what);
 
+  bool withNormals_;
   std::string elements_;
   PartNames names_;
   std::vector<Crease> creases_;
@@ -80,6 +83,7 @@ class LineReader {
   std::vector<std::string> objects_, groups_;  ///< of each face
   std::size_t vertices_ = 0;
   std::size_t uvs_ = 0;
+  std::size_t normals_ = 0;
 };
 
 void LineReader::read(std::string_view text) {
@@ -107,6 +111,9 @@ void LineReader::readLine(const TextLine& line) {
   } else if (keyword == "vt") {
     readVector(line, 2);
     ++uvs_;
+  } else if (keyword == "vn" && withNormals_) {
+    readVector(line, 3);
+    ++normals_;
   } else if (keyword == "f") {
     readFace(line);
   } else if (keyword == "t") {
@@ -159,10 +166,17 @@ bool LineReader::readCorner(const TextLine& line, std::string_view token) {
   appendIndex(line, token.substr(0, slash), vertices_, "vertex");
   const std::string_view rest = token.substr(std::min(slash + 1, token.size()));
   const std::string_view uv = rest.substr(0, rest.find('/'));
-  if (uv.empty()) return false;
-  elements_ += '/';
-  appendIndex(line, uv, uvs_, "texture coordinate");
-  return true;
+  const std::size_t second = std::min(rest.find('/'), rest.size());
+  const std::string_view normal = rest.substr(std::min(second + 1, rest.size()));
+  if (!uv.empty()) {
+    elements_ += '/';
+    appendIndex(line, uv, uvs_, "texture coordinate");
+  }
+  if (withNormals_ && !normal.empty()) {
+    elements_ += uv.empty() ? "//" : "/";
+    appendIndex(line, normal, normals_, "normal");
+  }
+  return !uv.empty();
 }
 
 void LineReader::appendIndex(const TextLine& line, std::string_view token, std::size_t count,
@@ -235,11 +249,16 @@ PolygonMesh load(LineReader& lines) {
   for (std::size_t i = 0; i + 1 < attributes.texcoords.size(); i += 2) {
     mesh.uvs.emplace_back(attributes.texcoords[i], attributes.texcoords[i + 1]);
   }
+  for (std::size_t i = 0; i + 2 < attributes.normals.size(); i += 3) {
+    mesh.normals.emplace_back(attributes.normals[i], attributes.normals[i + 1],
+                              attributes.normals[i + 2]);
+  }
   for (const tinyobj::shape_t& shape : shapes) {
     for (const unsigned char size : shape.mesh.num_face_vertices) mesh.faceSizes.push_back(size);
     for (const tinyobj::index_t& index : shape.mesh.indices) {
       mesh.faceVertices.push_back(index.vertex_index);
       mesh.faceUvs.push_back(index.texcoord_index);
+      if (!mesh.normals.empty()) mesh.faceNormals.push_back(index.normal_index);
     }
   }
   if (mesh.faceSizes.size() != mesh.names.faceLines.size()) {
@@ -258,13 +277,14 @@ PolygonMesh load(LineReader& lines) {
 /// line); "unnamed" before the first. A line of numbers may go on in the next, by a \\ at its end.
 /// Borders are edgesAndCorners, whatever the file's `t interpolateboundary` says; any other tag is
 /// an error, since it would change the surface.
-/// @param source  the file, as messages name it
+/// @param source       the file, as messages name it
+/// @param withNormals  reads `vn` too, which is else not looked at
 /// @throws InputError naming file and line: an index that is 0 or counts back too far, a number
 /// that
 ///   is malformed or not finite, texture coordinates at some corners of a face only, a face of
 ///   fewer than 3 or more than 255 corners
-PolygonMesh readObj(const std::string& source, std::string_view text) {
-  LineReader lines(source);
+PolygonMesh readObj(const std::string& source, std::string_view text, bool withNormals) {
+  LineReader lines(source, withNormals);
   lines.read(text);
   return load(lines);
 }

@@ -19,6 +19,7 @@ using Place = std::optional<std::size_t>;
 struct VertexLayout {
   std::array<std::size_t, 3> position{};
   std::optional<std::array<std::size_t, 2>> uv;
+  std::optional<std::array<std::size_t, 3>> normal;
 };
 
 /// Where corners and their texture coordinates stand among the properties of a face.
@@ -44,6 +45,10 @@ VertexLayout findVertexLayout(const PlyElement& element, const std::string& sour
     const Place atV = element.find(v, false);
     if (atU && atV && !layout.uv) layout.uv = {*atU, *atV};
   }
+  const Place nx = element.find("nx", false);
+  const Place ny = element.find("ny", false);
+  const Place nz = element.find("nz", false);
+  if (nx && ny && nz) layout.normal = {*nx, *ny, *nz};
   return layout;
 }
 
@@ -65,8 +70,9 @@ double requireFinite(const PlyBody& body, double value, const PlyProperty& prope
 /// Reads the rows of one file, element by element, in the file's order.
 class MeshReader {
  public:
-  MeshReader(const std::string& source, std::string_view bytes, const PlyHeader& header)
-      : header_(header), body_(source, bytes, header) {
+  MeshReader(const std::string& source, std::string_view bytes, const PlyHeader& header,
+             bool withNormals)
+      : header_(header), body_(source, bytes, header), withNormals_(withNormals) {
     mesh_.names.source = source;
   }
 
@@ -82,6 +88,7 @@ class MeshReader {
 
   const PlyHeader& header_;
   PlyBody body_;
+  bool withNormals_;
   PolygonMesh mesh_;
   std::vector<Vec2> vertexUvs_;
   bool facesHaveUvs_ = false;
@@ -111,6 +118,7 @@ PolygonMesh MeshReader::read() {
         verticesDo ? mesh_.faceVertices : std::vector<int>(mesh_.faceVertices.size(), noUv);
     mesh_.uvs = std::move(vertexUvs_);
   }
+  if (!mesh_.normals.empty()) mesh_.faceNormals = mesh_.faceVertices;
   return std::move(mesh_);
 }
 
@@ -127,20 +135,26 @@ void MeshReader::readRows(const PlyElement& element, const Take& take) {
 }
 
 void MeshReader::readVertices(const PlyElement& element) {
-  const VertexLayout layout = findVertexLayout(element, mesh_.names.source);
+  VertexLayout layout = findVertexLayout(element, mesh_.names.source);
+  if (!withNormals_) layout.normal.reset();
   std::vector<double> row(element.properties.size());
   readRows(element, [&](std::size_t i, const std::vector<double>& values) {
     const PlyProperty& property = element.properties[i];
     const auto isOne = [i](const auto& places) {
       return std::find(places.begin(), places.end(), i) != places.end();
     };
-    if (isOne(layout.position) || (layout.uv && isOne(*layout.uv))) {
+    if (isOne(layout.position) || (layout.uv && isOne(*layout.uv)) ||
+        (layout.normal && isOne(*layout.normal))) {
       row[i] = requireFinite(body_, values.front(), property);
     }
     if (i + 1 < row.size()) return;
     const auto& [x, y, z] = layout.position;
     mesh_.positions.emplace_back(row[x], row[y], row[z]);
     if (layout.uv) vertexUvs_.emplace_back(row[(*layout.uv)[0]], row[(*layout.uv)[1]]);
+    if (layout.normal) {
+      const auto& [nx, ny, nz] = *layout.normal;
+      mesh_.normals.emplace_back(row[nx], row[ny], row[nz]);
+    }
   });
 }
 
@@ -188,21 +202,22 @@ void MeshReader::takeUvs(const std::vector<double>& uvs, std::size_t corners,
 /// Reads the bytes of a PLY (Turk 1994): ASCII, or binary of either byte order; polygons of any
 /// size. It takes
 /// - of `vertex`: x, y, z, and where they are there texture coordinates: u, v, or s, t, or
-///   texture_u, texture_v;
+///   texture_u, texture_v; and where they are asked for and are there, normals: nx, ny, nz;
 /// - of `face`: the list vertex_indices, or vertex_index, and where it is there the list texcoord:
 ///   u and v of each corner. It rules over the vertices' own. Empty for a face, that face has none:
 ///   there are no frames on it.
 ///
 /// All other elements and properties are skipped, sharp edges among them.
-/// @param source  the file, as messages name it
+/// @param source       the file, as messages name it
+/// @param withNormals  reads normals too, which are else not looked at
 /// @throws InputError naming file and line, or in a binary file element, row and byte: a header
 /// that
 ///   readPlyHeader refuses, no vertices or faces with these properties, a file that ends early or
 ///   goes on after its last row, a value that is malformed, out of its type's range or not finite,
 ///   a texcoord that has not two values for each corner
-PolygonMesh readPly(const std::string& source, std::string_view bytes) {
+PolygonMesh readPly(const std::string& source, std::string_view bytes, bool withNormals) {
   const PlyHeader header = readPlyHeader(source, bytes);
-  return MeshReader(source, bytes, header).read();
+  return MeshReader(source, bytes, header, withNormals).read();
 }
 
 bool beginsAsPly(std::string_view bytes) {

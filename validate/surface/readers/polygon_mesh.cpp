@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "common/error.h"
+#include "surface/cage/polygon_cage.h"
 
 namespace gnomon::surface {
 
@@ -29,26 +30,6 @@ void giveMissingUvs(PolygonMesh& mesh) {
   }
   std::replace(mesh.faceUvs.begin(), mesh.faceUvs.end(), noUv, static_cast<int>(mesh.uvs.size()));
   mesh.uvs.emplace_back(0, 0);
-}
-
-/// For each vertex the first in the very same place.
-std::vector<int> firstInPlace(const std::vector<Vec3>& positions) {
-  const auto place = [&positions](int vertex) {
-    const Vec3& p = positions[static_cast<std::size_t>(vertex)];
-    return std::tie(p.x, p.y, p.z);
-  };
-  std::vector<int> order(positions.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&place](int a, int b) {
-    return std::tuple_cat(place(a), std::tie(a)) < std::tuple_cat(place(b), std::tie(b));
-  });
-  std::vector<int> first(positions.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto vertex = static_cast<std::size_t>(order[i]);
-    const bool same = i > 0 && place(order[i - 1]) == place(order[i]);
-    first[vertex] = same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
-  }
-  return first;
 }
 
 /// Joins the vertices of a mesh edge by edge.
@@ -198,18 +179,18 @@ Parts partsOf(const std::vector<std::string>& faceNames) {
   return parts.names.size() < 2 ? Parts() : parts;
 }
 
-std::unique_ptr<Far::TopologyRefiner> connectMesh(const PolygonMesh& mesh,
-                                                  SubdivisionScheme scheme) {
-  return makeTopologyRefiner({.positions = mesh.positions,
-                              .faceSizes = mesh.faceSizes,
-                              .faceVertices = mesh.faceVertices,
-                              .uvs = mesh.uvs,
-                              .faceUvs = mesh.faceUvs,
-                              .creases = mesh.creases,
-                              .sharpVertices = mesh.sharpVertices,
-                              .border = CageBorder::edgesAndCorners,
-                              .scheme = scheme},
-                             mesh.names, true);
+Polygons polygonsOf(const PolygonMesh& mesh, SubdivisionScheme scheme) {
+  return {.positions = mesh.positions,
+          .faceSizes = mesh.faceSizes,
+          .faceVertices = mesh.faceVertices,
+          .uvs = mesh.uvs,
+          .faceUvs = mesh.faceUvs,
+          .creases = mesh.creases,
+          .sharpVertices = mesh.sharpVertices,
+          .border = CageBorder::edgesAndCorners,
+          .scheme = scheme,
+          .normals = mesh.normals,
+          .faceNormals = mesh.faceNormals};
 }
 
 /// A vector as OpenSubdiv's refiner wants to add it up.
@@ -309,8 +290,14 @@ Cage toCage(PolygonMesh mesh, SubdivisionScheme scheme) {
                                  mesh.names.face(face), *odd));
   }
   const JoinedVertices joined = VertexJoiner(mesh).join();
-  const auto refiner = connectMesh(mesh, scheme);
   Parts parts = partsOf(mesh.faceNames);
+  if (scheme == SubdivisionScheme::none) {
+    Cage cage = makePolygonCage(polygonsOf(mesh, scheme), mesh.names, parts.ofFaces);
+    cage.partNames = std::move(parts.names);
+    cage.joined = joined;
+    return cage;
+  }
+  const auto refiner = makeTopologyRefiner(polygonsOf(mesh, scheme), mesh.names, true);
   Cage cage = even ? unrefined(std::move(mesh), std::move(parts.ofFaces), scheme)
                    : refine(mesh, parts.ofFaces, *refiner);
   cage.partNames = std::move(parts.names);

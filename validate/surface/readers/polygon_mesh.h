@@ -27,6 +27,8 @@ struct PolygonMesh {
   std::vector<int> faceVertices;
   std::vector<Vec2> uvs;
   std::vector<int> faceUvs;
+  std::vector<Vec3> normals;     ///< read for scheme `none` alone; of any length
+  std::vector<int> faceNormals;  ///< of each corner, -1 where it has none; empty in a file of none
   std::vector<Crease> creases;
   std::vector<SharpVertex> sharpVertices;
   std::vector<std::string> faceNames;  ///< the part that each face is of; empty in a file of none
@@ -44,6 +46,7 @@ struct PolygonMesh {
 /// - A Catmull-Clark cage with any face that is not a quadrilateral is refined once, so that every
 ///   face of the result is one; the limit surface is the same, and texture coordinates are halved
 ///   linearly.
+/// - Scheme `none`: the polygons as they are, see makePolygonCage; creases mean nothing there.
 /// @throws InputError naming the part: no face, or none with texture coordinates; for Loop's scheme
 ///   a face that is no triangle; and all that `makeTopologyRefiner` refuses
 Cage toCage(PolygonMesh mesh, SubdivisionScheme scheme);
@@ -54,9 +57,10 @@ struct MeshFormat {
   std::string_view name;    ///< "PLY"
   std::string_view ending;  ///< of a file's name, lower case: ".ply"
   double memory;            ///< bytes that reading takes at most, for each byte of the file
-  /// @param source  the file, as messages name it
+  /// @param source       the file, as messages name it
+  /// @param withNormals  reads the file's normals too, which are else not looked at
   /// @throws InputError naming the file and the place in it
-  PolygonMesh (*read)(const std::string& source, std::string_view bytes);
+  PolygonMesh (*read)(const std::string& source, std::string_view bytes, bool withNormals);
   /// Whether bytes begin as only files of this format do; null where these may begin in any way.
   bool (*begins)(std::string_view bytes) = nullptr;
 };

@@ -75,7 +75,7 @@ TEST_F(SceneMakerTest, AMeshThatChangesIsAnotherSurface) {
     std::ofstream(file("square.obj")) << "v 0 0 0\nv 1 0 " << height << "\nv 1 1 0\nv 0 1 0\n"
                                       << "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
   };
-  const std::vector<std::string> mesh = {R"(surface={mesh="square.obj"})"};
+  const std::vector<std::string> mesh = {R"(surface={mesh="square.obj",scheme="catmull-clark"})"};
   write("0");
   const auto first = made(maker_, mesh, {"max-forsyth"});
   EXPECT_EQ(made(maker_, mesh, {"max-forsyth"})->surface, first->surface);

@@ -295,6 +295,7 @@ bool answerAlike(const CaseAnswers& a, const CaseAnswers& b) {
 
 MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDemand& surface) {
   render::Method method = declarationOf(spec);
+  method.isOnPolygons = scene.surface.isPolygons();
   BaseCase& base = scene.base(meshOf(spec, method));
   if (spec.isGiven()) {
     GivenMasks given = readGivenMasks(scene.study, spec, base);

@@ -54,6 +54,10 @@ cache::ContentKey cageKey(const surface::Cage& cage) {
   key.add("border", cage.border).add("scheme", cage.scheme);
   for (const std::string& name : cage.partNames) key.add("part", name);
   if (!cage.faceParts.empty()) key.add("faceParts", cage.faceParts);
+  if (!cage.directions.empty()) {
+    key.add("directions", numbersOf(cage.directions)).add("normals", numbersOf(cage.normals));
+    key.add("faceNormals", cage.faceNormals);
+  }
   if (cage.grid) key.add("columns", cage.grid->columns).add("rows", cage.grid->rows);
   return key.key();
 }
@@ -257,6 +261,7 @@ cache::ContentKey RunKeys::program(const MethodSpec& spec, const render::Method&
   key.add("files", methodFilesKey(method)).add("shaders", shaders_);
   key.add("wrap", study_.relief.field.wrap()).add("filter", spec.filter);
   if (spec.disc) key.add("disc", spec.disc);
+  if (method.isOnPolygons) key.add("polygons", true);
   for (const auto& [name, value] : spec.parameters) {
     key.add("parameter", name).add("value", value);
   }

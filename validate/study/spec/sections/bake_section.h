@@ -53,7 +53,8 @@ inline StudyKeys keysOf(BaseSpec& base) {
       studyKey(
           "curvature", chosenName(base.curvature, sources),
           "of the limit surface, or estimated from the mesh's own edges and normals, as programs "
-          "without a limit surface must")};
+          "without a limit surface must; the only one with `scheme = \"none\"`",
+          {}, "`'limit'`, with `scheme = \"none\"` `'vertices'`")};
 }
 
 /// `[truth]`: how finely the displaced surface is cut for the truth.

@@ -71,7 +71,11 @@ SurfaceSection readSurfaceSection(const TomlReader& section) {
   section.allow(names);
   section.requireOneOf("shape", "mesh");
   if (!section.has("mesh")) return readKind<Shape>(section, "shape", shapeNames, keysOf);
-  readKeys(section, keysOf(mesh));
+  mesh.isSchemeNamed = section.has("scheme");
+  StudyKeys keys = keysOf(mesh);
+  if (!mesh.isSchemeNamed)
+    std::erase_if(keys, [](const auto& key) { return key.name == "scheme"; });
+  readKeys(section, keys);
   return mesh;
 }
 
@@ -84,7 +88,7 @@ toml::table tableOf(SurfaceSection surface) {
 }
 
 surface::Cage cageOf(const SurfaceSection& surface, const TomlReader& section,
-                     const std::filesystem::path& folder) {
+                     const std::filesystem::path& folder, bool inSuite) {
   return std::visit(
       Overloaded{[&](const Shape& shape) {
                    return section.blame("shape", [&] {
@@ -92,7 +96,13 @@ surface::Cage cageOf(const SurfaceSection& surface, const TomlReader& section,
                    });
                  },
                  [&](const SurfaceMesh& mesh) {
-                   return surface::readMeshFile(namedFile(section, "mesh", folder), mesh.scheme);
+                   const auto file = namedFile(section, "mesh", folder);
+                   if (!mesh.isSchemeNamed && !inSuite) {
+                     section.fail("scheme",
+                                  "missing, \"catmull-clark\", \"loop\" or \"none\" expected; " +
+                                      surface::schemeChoice(file));
+                   }
+                   return surface::readMeshFile(file, mesh.scheme);
                  }},
       surface);
 }

@@ -46,6 +46,7 @@ using Shape =
 struct SurfaceMesh {
   std::string path;  ///< as the file has it, see fileOf
   surface::SubdivisionScheme scheme = surface::SubdivisionScheme::catmullClark;
+  bool isSchemeNamed = true;  ///< false where the study names none
 };
 
 using SurfaceSection = std::variant<Shape, SurfaceMesh>;
@@ -101,19 +102,22 @@ inline StudyKeys keysOf(Shape& shape) {
 inline StudyKeys keysOf(SurfaceMesh& mesh) {
   const std::vector<std::pair<surface::SubdivisionScheme, std::string>> schemes = {
       {surface::SubdivisionScheme::catmullClark, "catmull-clark"},
-      {surface::SubdivisionScheme::loop, "loop"}};
-  return {studyKey("mesh", &mesh.path,
-                   "an OBJ or PLY file: a control cage with texture coordinates", {}, required,
+      {surface::SubdivisionScheme::loop, "loop"},
+      {surface::SubdivisionScheme::none, "none"}};
+  return {studyKey("mesh", &mesh.path, "an OBJ or PLY file with texture coordinates", {}, required,
                    Enters::nothing),  // the file's content enters
           studyKey("scheme", chosenName(mesh.scheme, schemes),
-                   "of subdivision; `loop` is for triangles")};
+                   "`mesh` is the control cage of a subdivision surface, `loop` one of triangles; "
+                   "or, `none`, the surface itself: its polygons as they are",
+                   {}, required)};
 }
 
 inline StudyKeys keysOf(SurfaceSection& surface) {
   return std::visit([](auto& kind) { return keysOf(kind); }, surface);
 }
 
-/// Reads `[surface]`.
+/// Reads `[surface]`. A mesh whose scheme is not named is for `cageOf` to refuse, which sees the
+/// file.
 /// @throws InputError as TomlReader
 SurfaceSection readSurfaceSection(const TomlReader& section);
 
@@ -123,8 +127,10 @@ toml::table tableOf(SurfaceSection surface);
 /// The cage that the section asks for.
 /// @param section  for messages
 /// @param folder   of the study: what paths are relative to
-/// @throws InputError for a shape that cannot be; as readMeshFile
+/// @param inSuite  of a study drawn from a suite, whose files are older than the key `scheme` and
+///   must not change: without the key it is catmull-clark
+/// @throws InputError for a shape that cannot be; for a mesh without a scheme; as readMeshFile
 surface::Cage cageOf(const SurfaceSection& surface, const TomlReader& section,
-                     const std::filesystem::path& folder);
+                     const std::filesystem::path& folder, bool inSuite = false);
 
 }  // namespace gnomon::study
