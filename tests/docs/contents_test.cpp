@@ -132,7 +132,8 @@ TEST(Manual, NamesEveryFolderOfTheCode) {
   EXPECT_GT(folders, 20U);
 }
 
-/// One reads it: all its pages together, with the README, as `wc -w` counts them.
+/// One reads it: the words of all its pages together, with the README. The bars and rules of tables
+/// are no words.
 TEST(Manual, IsShort) {
   std::vector<fs::path> pages = {projectFolder() / "README.md"};
   for (const auto& entry : fs::directory_iterator(projectFolder() / "docs")) {
@@ -141,7 +142,9 @@ TEST(Manual, IsShort) {
   std::size_t words = 0;
   for (const fs::path& page : pages) {
     std::ifstream text(page);
-    for (std::string word; text >> word;) ++words;
+    for (std::string word; text >> word;) {
+      if (word.find_first_not_of("|-:") != std::string::npos) ++words;
+    }
   }
   EXPECT_GT(words, 10'000U);
   EXPECT_LE(words, 22'000U);
