@@ -164,11 +164,12 @@ bool isUnfolded(Surface there) {
   return bare * volumeAt(there, heightBounds.y) > 0.4 * bare * bare;
 }
 
-// A ray from the displaced point of a pixel, in the frame of its tangent plane.
+// A ray from the displaced point of a pixel, in the frame of its column: of a limit surface, its tangent
+// plane. Polygons' columns lean, and what lies a little below a ray must not be seen behind its origin.
 struct Ray {
   vec3 origin;  // O, world
-  vec3 along;   // unit vectors in the tangent plane, below the ray
-  vec3 up;      // and off it
+  vec3 along;   // unit vectors at right angles to the column, below the ray
+  vec3 up;      // and along the column
   vec3 toward;  // r, unit
 };
 
@@ -177,7 +178,7 @@ Ray rayToward(Pixel pixel, Surface there, float height, vec3 light, float lowere
               out float slope) {
   Ray ray;
   ray.origin = there.point + height * there.column;
-  ray.up = pixel.normal;
+  ray.up = columnAxis(pixel);
   float sine = dot(light, ray.up);
   vec3 tangent = light - sine * ray.up;
   float cosine = length(tangent);
