@@ -65,7 +65,7 @@ radians_per_face = 0.1
 triangles = 40000
 azimuths = 16
 bits = 8
-frames = 0
+frames = 1
 )";
 
 class Rank : public SharedRuns {
