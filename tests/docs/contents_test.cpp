@@ -284,6 +284,43 @@ TEST_F(Tables, ThatWereChangedAreNamedAndWrittenAnew) {
   for (const auto& [page, text] : texts) EXPECT_EQ(textOf(file(page)), text) << page;
 }
 
+/// What results/ keeps of a run is found to be the same, or not.
+TEST_F(Tables, AndMasksOfARunAreComparedByTheirHashes) {
+  const auto write = [&](const std::string& name, const std::string& text) {
+    fs::create_directories(file("runs/small/" + name).parent_path());
+    std::ofstream(file("runs/small/" + name)) << text;
+  };
+  const auto runs = [&](const std::string& task) {
+    const std::string command = "python3 " + file("results/kept.py").string() + " " + task + " " +
+                                file("runs").string() + " small > " + file("printed.txt").string() +
+                                " 2>&1";
+    const bool isDone = std::system(command.c_str()) == 0;  // NOLINT(cert-env33-c)
+    printed = textOf(file("printed.txt"));
+    return isDone;
+  };
+  write("table.csv", "method,error_rate,frame_ms\n\"a, b\",0.25,3\n");
+  write("metrics.csv", "method,tp\na,7\n");
+  write("masks/truth.png", "grey");
+  ASSERT_TRUE(runs("keep")) << printed;
+  EXPECT_TRUE(fs::exists(file("results/small/table.csv")));
+  EXPECT_FALSE(fs::exists(file("results/small/metrics.csv")));
+  EXPECT_TRUE(runs("compare")) << printed;
+  // A frame's time is the clock's.
+  write("table.csv", "method,error_rate,frame_ms\n\"a, b\",0.25,4\n");
+  EXPECT_TRUE(runs("compare")) << printed;
+  write("table.csv", "method,error_rate,frame_ms\n\"a, b\",0.26,4\n");
+  EXPECT_FALSE(runs("compare"));
+  EXPECT_THAT(printed, HasSubstr("differs: table.csv"));
+  write("table.csv", "method,error_rate,frame_ms\n\"a, b\",0.25,4\n");
+  write("masks/truth.png", "gray");
+  EXPECT_FALSE(runs("compare"));
+  EXPECT_THAT(printed, HasSubstr("differs: masks"));
+  write("masks/truth.png", "grey");
+  fs::remove(file("runs/small/metrics.csv"));
+  EXPECT_FALSE(runs("compare"));
+  EXPECT_THAT(printed, HasSubstr("differs: metrics.csv"));
+}
+
 /// The cells of a row of a table.
 std::vector<std::string> cellsOf(const std::string& line) {
   std::vector<std::string> cells;

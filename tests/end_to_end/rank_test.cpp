@@ -130,8 +130,13 @@ TEST_F(Rank, OfAPublishedMethodUnderAnotherNameIsItsCommittedErrors) {
   EXPECT_THAT(page, HasSubstr("my-shadow: place "));
   EXPECT_THAT(page, HasSubstr("href=\"worst/tiny-test-"));
   EXPECT_TRUE(std::filesystem::exists(file("ranked/worst")));
-  // A second call finds what it needs, and takes the place of the first.
+  // A second call finds what it needs, and takes the place of the first; what is not its own stays.
   EXPECT_EQ(rank({"my-shadow.glsl", "--out", "ranked"}).status, 0);
+  write("ranked/scenes/mine.txt", "mine");
+  const Outcome refused = rank({"my-shadow.glsl", "--out", "ranked"});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_THAT(refused.err, HasSubstr("files found, an empty folder or a new one expected"));
+  EXPECT_EQ(read("ranked/scenes/mine.txt"), "mine");
 }
 
 TEST_F(Rank, IsRefusedWhereTruthOrScenesAreOthers) {
@@ -159,10 +164,18 @@ TEST_F(Rank, IsRefusedWhereTruthOrScenesAreOthers) {
 TEST_F(Rank, NamesWhatItCannotTake) {
   EXPECT_EQ(rank({"--out", "refused"}).status, 2);
   write("max-forsyth.glsl", shader("ellipse"));
-  const Outcome twice = rank({"my-shadow.glsl", "other/../my-shadow.glsl", "--out", "refused"});
+  std::filesystem::create_directories(file("other"));
+  write("other/my-shadow.glsl", shader("ellipse"));
+  const Outcome twice = rank({"my-shadow.glsl", "other/my-shadow.glsl", "--out", "refused"});
   EXPECT_EQ(twice.status, 3);
   EXPECT_THAT(twice.err, HasSubstr("two entries \"my-shadow\" found"));
   EXPECT_NE(rank({"nowhere.glsl", "--out", "refused"}).status, 0);
+  // One that answers at a camera's pixels alone has no place, and says on how many scenes it
+  // answers.
+  write("screen.glsl", shader("screen-space"));
+  const Outcome camera = rank({"screen.glsl", "--out", "camera"});
+  ASSERT_EQ(camera.status, 0) << camera.err;
+  EXPECT_THAT(camera.out, HasSubstr("screen: no place, since it answers on "));
   // A committed label stays its own.
   const Outcome named = rank({"max-forsyth.glsl", "--out", "named"});
   ASSERT_EQ(named.status, 0) << named.err;

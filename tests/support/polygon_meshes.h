@@ -35,6 +35,18 @@ struct PolygonList {
     }
   }
 
+  /// The same polygons, each with vertices of its own: vertices in one place no longer have one
+  /// number.
+  [[nodiscard]] PolygonList apart() const {
+    PolygonList own = *this;
+    own.positions.clear();
+    for (int& vertex : own.faceVertices) {
+      own.positions.push_back(positions[static_cast<std::size_t>(vertex)]);
+      vertex = static_cast<int>(own.positions.size()) - 1;
+    }
+    return own;
+  }
+
   [[nodiscard]] surface::Cage cage() const {
     return surface::makePolygonCage({.positions = positions,
                                      .faceSizes = faceSizes,

@@ -184,13 +184,7 @@ TEST(PolygonSurface, NormalsAreTheFilesAndDirectionsAreShared) {
 }
 
 TEST(PolygonSurface, DirectionsAreSharedByPlaceNotByVertex) {
-  PolygonList apart = boxMesh(Vec3(-1), Vec3(1), true);
-  std::vector<Vec3> positions;
-  for (int& vertex : apart.faceVertices) {
-    positions.push_back(apart.positions[static_cast<std::size_t>(vertex)]);
-    vertex = static_cast<int>(positions.size()) - 1;
-  }
-  apart.positions = positions;
+  const PolygonList apart = boxMesh(Vec3(-1), Vec3(1), true).apart();
   const LimitSurface surface(apart.cage());
   expectNear(surface.tangentPoint(0, 0, 0).ownDirection, glm::normalize(Vec3(-1, -1, 1)), 1e-15);
   // A normal without length is none, as at a corner that has none.

@@ -223,13 +223,7 @@ TEST(PolygonTruth, ADisplacedCrateHasNoCrackAtItsHardEdges) {
     EXPECT_EQ(openEdges(cage), 0U);
   }
   // A control: sides with vertices of their own, displaced along their own normals, come apart.
-  PolygonList apart = boxMesh(Vec3(-1), Vec3(1), true);
-  std::vector<Vec3> positions;
-  for (int& vertex : apart.faceVertices) {
-    positions.push_back(apart.positions[static_cast<std::size_t>(vertex)]);
-    vertex = static_cast<int>(positions.size()) - 1;
-  }
-  apart.positions = positions;
+  const PolygonList apart = boxMesh(Vec3(-1), Vec3(1), true).apart();
   surface::Cage cage = apart.cage();
   for (std::size_t k = 0; k < cage.directions.size(); ++k) {
     cage.directions[static_cast<std::size_t>(cage.faceVertices[k])] =

@@ -13,6 +13,9 @@
 #include "cli/output.h"
 #include "common/lists.h"
 #include "compare/scenes/resampled_mean.h"
+#include "render/method.h"
+#include "render/shader_files.h"
+#include "report/json/json_values.h"
 #include "report/json/results_json.h"
 #include "report/run_folder.h"
 #include "report/suite/entry_report.h"
@@ -61,16 +64,23 @@ Entries entriesOf(const RankRequest& request, const study::Standings& standings)
     entries.labels.push_back(ownLabel(label, committed));
     return entries.labels.back();
   };
+  const auto noteCamera = [&](const std::string& shader, const fs::path& file) {
+    if (render::readMethod(file).needsCamera()) entries.methods.ofCameras.insert(shader);
+  };
   for (toml::table& method : list) {
     method.insert_or_assign("label", name(study::labelOfMethod(method)));
     if (const auto file = method["file"].value<std::string>()) {
-      method.insert_or_assign("file",
-                              fs::absolute(request.methods->parent_path() / *file).string());
+      const fs::path there = fs::absolute(request.methods->parent_path() / *file);
+      method.insert_or_assign("file", there.string());
+      noteCamera(there.string(), there);
+    } else if (const auto own = method["name"].value<std::string>()) {
+      noteCamera(*own, render::methodFile(render::shaderFolder(), *own));
     }
   }
   for (const fs::path& shader : request.shaders) {
-    list.push_back(toml::table{{"file", fs::absolute(shader).string()},
-                               {"label", name(shader.stem().string())}});
+    const fs::path there = fs::absolute(shader);
+    list.push_back(toml::table{{"file", there.string()}, {"label", name(shader.stem().string())}});
+    noteCamera(there.string(), there);
   }
   for (const fs::path& masks : request.masks) {
     name((masks / "").lexically_normal().parent_path().filename().string());
@@ -112,10 +122,27 @@ study::DrawnSuite drawScenes(const RankRequest& request, const study::Standings&
   return drawn;
 }
 
-/// Writes the scenes; those of an earlier call go.
-void writeScenes(const study::DrawnSuite& drawn, const fs::path& folder) {
+/// Removes the files that the manifest of an earlier call names, and no others.
+void removeScenes(const fs::path& folder) {
   std::error_code failure;
-  if (fs::exists(folder / "manifest.json", failure)) fs::remove_all(folder, failure);
+  const fs::path file = folder / "manifest.json";
+  if (!fs::exists(file, failure)) return;
+  const report::Json json = report::readJson(file);
+  const report::JsonReader manifest(json, file.string(), "");
+  for (const char* list : {"studies", "files"}) {
+    for (const report::JsonReader& entry : manifest.list(list)) {
+      const fs::path name = fs::path(entry.text("file")).lexically_normal();
+      if (name.is_absolute() || *name.begin() == "..") continue;
+      fs::remove(folder / name, failure);
+      fs::remove((folder / name).parent_path(), failure);  // where nothing else is in it
+    }
+  }
+  fs::remove(file, failure);
+}
+
+/// Writes the scenes in the place of those of an earlier call.
+void writeScenes(const study::DrawnSuite& drawn, const fs::path& folder) {
+  removeScenes(folder);
   study::writeSuite(drawn, report::suiteManifest(drawn), folder);
 }
 
@@ -213,6 +240,7 @@ ExitStatus rankEntries(const RankRequest& request) {
   }
   const study::Standings standings = study::readStandings(study::standingsFolder(), request.suite);
   const Entries entries = entriesOf(request, standings);
+  requirePaperMethods(request.paper, entries.labels);
   const study::DrawnSuite drawn = drawScenes(request, standings, entries);
   report::RunFolder folder(request.out, rankKind);
   writeScenes(drawn, request.out / "scenes");
@@ -237,7 +265,6 @@ ExitStatus rankEntries(const RankRequest& request) {
   for (study::SuiteScene& scene : statistics.scenes) {
     if (shown.contains(scene.name)) scene.report = "worst/" + scene.name + "/report.html";
   }
-  requirePaperMethods(request.paper, entries.labels);
   folder.clear();
   std::vector<report::EntryReport> reports;
   std::vector<report::PageSection> opening;

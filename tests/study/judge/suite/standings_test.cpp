@@ -100,7 +100,13 @@ TEST_F(StandingsFiles, AreJoinedWhereTheControlIsTheSameToTheLastBit) {
               HasSubstr("small-test-0009: no committed errors of small found"));
   scene = measured("small-test-0001", 0.125, 0.25);
   scene.methods.pop_back();
-  EXPECT_THAT(refused(scene), HasSubstr("small-test-0001: no error of \"mine\" found"));
+  EXPECT_THAT(refused(scene), HasSubstr("\"mine\" has an error on none of the 1 scenes"));
+  // One that lacks a scene, as a method that needs a camera lacks an atlas, is joined without it.
+  StudyMeans other = measured("small-test-0002", 0.3, 0.25);
+  other.methods[0] = {"unshadowed", "unshadowed", 0.3, 0.1, 0.2, 0.002};
+  const auto both = joined(standings, std::vector{scene, other}, {"mine"});
+  EXPECT_EQ(findMeans(both[0], "mine"), nullptr);
+  EXPECT_EQ(findMeans(both[1], "mine")->errorRate, 0.25);
 }
 
 /// The comparisons with one method are fewer than all: the correction allows each a larger error.

@@ -204,8 +204,21 @@ std::vector<StudyMeans> joined(const Standings& standings, std::span<const Study
     scene.methods = committed.methods;
     scene.differences.clear();
     scene.claims.clear();
-    for (const std::string& entry : entries) scene.methods.push_back(requireMeans(own, entry));
+    for (const std::string& entry : entries) {
+      if (const MethodMeans* means = findMeans(own, entry)) scene.methods.push_back(*means);
+    }
     scenes.push_back(std::move(scene));
+  }
+  for (const std::string& entry : entries) {
+    const bool isAnywhere = std::any_of(scenes.begin(), scenes.end(), [&](const auto& scene) {
+      const MethodMeans* means = findMeans(scene, entry);
+      return means != nullptr && means->errorRate && means->isInEveryCase();
+    });
+    if (!isAnywhere) {
+      throw InputError(
+          fmt::format("\"{}\" has an error on none of the {} scenes, one or more expected", entry,
+                      scenes.size()));
+    }
   }
   return scenes;
 }

@@ -42,8 +42,11 @@ Standings readStandings(const std::filesystem::path& folder, const std::string& 
 /// The measured scenes with all committed entries and, after these, the measured ones.
 /// @param measured  scenes in which the control and the entries were measured
 /// @param entries   labels, none of them a committed one
-/// @throws InputError naming the scene where it has no committed errors, an entry is missing, or
-///   the control's error, its parts or the truth's uncertainty are not the committed ones
+///   An entry may lack scenes, as one that needs a camera does: then it has no rank.
+/// @throws InputError naming the scene where it has no committed errors, or the control's error,
+/// its
+///   parts or the truth's uncertainty are not the committed ones; for an entry without an error on
+///   any scene
 std::vector<StudyMeans> joined(const Standings& standings, std::span<const StudyMeans> measured,
                                const std::vector<std::string>& entries);
 
