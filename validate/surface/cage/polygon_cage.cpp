@@ -351,6 +351,7 @@ class CageBuilder {
   }
   int addCentre(const Piece& piece) {
     std::vector<int> vertices;
+    vertices.reserve(static_cast<std::size_t>(piece.size));
     for (int k = 0; k < piece.size; ++k) vertices.push_back(vertexOf(piece, k));
     return addVertex(vertices);
   }
